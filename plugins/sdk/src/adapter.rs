@@ -1,0 +1,121 @@
+//! The trait of input adapters, and what the host hands them.
+
+use crate::{ErrorKind, Options, PluginError, PluginInfo, Scene};
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// Reads one family of document formats.
+///
+/// An adapter normalises: after it, nothing depends on the format. It neither panics nor takes memory before it has
+/// checked a document's claimed size.
+pub trait InputAdapter: Send + Sync {
+    /// Name, extensions, options.
+    fn info(&self) -> &PluginInfo;
+
+    /// How sure the adapter is that the document is its own, from the first bytes and the name. Must be quick and
+    /// must accept any bytes.
+    fn probe(&self, probe: &Probe<'_>) -> Confidence;
+
+    /// Reads the document.
+    fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError>;
+}
+
+/// What an adapter may look at to recognise a document.
+#[derive(Debug, Clone, Copy)]
+pub struct Probe<'a> {
+    /// The document's path; empty for standard input.
+    pub path: &'a Path,
+    /// The first bytes: 4096 of them or the whole document, whichever is less.
+    pub head: &'a [u8],
+}
+
+impl Probe<'_> {
+    /// The path's extension in lower case, or an empty text.
+    pub fn extension(&self) -> String {
+        self.path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()
+    }
+}
+
+/// How sure an adapter is that a document is its own: 0 is surely not, 100 surely; and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Confidence {
+    /// 0 to 100.
+    pub percent: u8,
+    /// What it was judged by, for `planform inspect`: "a PNG by its first bytes".
+    pub reason: String,
+}
+
+impl Confidence {
+    /// Surely not this adapter's document.
+    pub fn no() -> Self {
+        Self { percent: 0, reason: String::new() }
+    }
+
+    /// This sure, for this reason.
+    pub fn because(percent: u8, reason: impl Into<String>) -> Self {
+        Self { percent, reason: reason.into() }
+    }
+}
+
+/// A document: its bytes, and its folder for the files that it refers to.
+#[derive(Debug, Clone)]
+pub struct Source {
+    /// The document's path; empty for standard input.
+    pub path: PathBuf,
+    /// The whole document.
+    pub bytes: Vec<u8>,
+    /// The most bytes that a file referred to may have.
+    pub byte_limit: u64,
+}
+
+impl Source {
+    /// The file name without its folder, for messages.
+    pub fn name(&self) -> String {
+        self.path.file_name().map_or_else(|| "standard input".into(), |n| n.to_string_lossy().into_owned())
+    }
+
+    /// Reads a file that the document refers to, relative to the document's folder; a leading `~/` is the user's home.
+    pub fn read_sibling(&self, reference: &str) -> Result<Vec<u8>, PluginError> {
+        let path = self.resolve(reference);
+        read_file(&path, self.byte_limit)
+            .map_err(|e| PluginError { message: format!("{}: {}", path.display(), e.message), ..e })
+    }
+
+    /// The path of a file that the document refers to.
+    pub fn resolve(&self, reference: &str) -> PathBuf {
+        match (reference.strip_prefix("~/"), std::env::home_dir()) {
+            (Some(rest), Some(home)) => home.join(rest),
+            _ => self.path.parent().unwrap_or(Path::new("")).join(reference),
+        }
+    }
+}
+
+/// Reads a file of at most `limit` bytes. Refuses directories and everything else that has no end.
+fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, PluginError> {
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(PluginError::new(ErrorKind::Io, "is not a file"));
+    }
+    let too_large =
+        || PluginError::new(ErrorKind::Limit, format!("is larger than the limit of {limit} bytes"));
+    if metadata.len() > limit {
+        return Err(too_large());
+    }
+    let mut bytes = Vec::with_capacity(metadata.len() as usize);
+    // The file may grow while it is read.
+    file.take(limit + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > limit { Err(too_large()) } else { Ok(bytes) }
+}
+
+impl Source {
+    /// The most bytes of one document unless the user says otherwise: 1 GiB.
+    pub const BYTE_LIMIT: u64 = 1 << 30;
+
+    /// Opens a document of at most `byte_limit` bytes.
+    pub fn open(path: impl Into<PathBuf>, byte_limit: u64) -> Result<Self, PluginError> {
+        let path = path.into();
+        Ok(Self { bytes: read_file(&path, byte_limit)?, path, byte_limit })
+    }
+}

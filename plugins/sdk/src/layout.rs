@@ -1,0 +1,201 @@
+//! The layout of a building: the result of a reconstruction.
+
+use crate::{GeoAnchor, Point, Polygon, Provenance, Segment, Symbol, Text};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Number of a room, unique in its layout, from 1.
+pub type RoomId = u32;
+
+/// The layout of one floor. Every coordinate is in metres in the map frame, x right, y up.
+///
+/// Rings are valid by OGC simple features, exteriors run counter-clockwise, and no two rooms overlap.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Layout {
+    /// The rooms, by rising id.
+    pub rooms: Vec<Room>,
+    /// The walls.
+    pub walls: Vec<Wall>,
+    /// Doors and passages between two rooms.
+    pub openings: Vec<Opening>,
+    /// Where explored space of a partial room meets the unexplored.
+    pub frontiers: Vec<Frontier>,
+    /// The lines along which the building's walls are aligned.
+    pub lines: Vec<RepresentativeLine>,
+    /// The document's texts.
+    pub texts: Vec<Text>,
+    /// The document's symbols.
+    pub symbols: Vec<Symbol>,
+    /// Where the map frame lies on the Earth, if known.
+    pub anchor: Option<GeoAnchor>,
+    /// The document and the adapter that read it.
+    pub provenance: Provenance,
+    /// Name of the reconstruction method.
+    pub method: String,
+}
+
+/// One room.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Room {
+    /// Its number, from 1.
+    pub id: RoomId,
+    /// What the document calls it, if it does.
+    pub name: Option<String>,
+    /// Whether all of it was seen.
+    pub state: RoomState,
+    /// Its floor: the polygon along the inner faces of its walls.
+    pub inner: Polygon,
+    /// The polygon along the centre lines of its walls. Neighbouring rooms share its edges.
+    pub centre: Polygon,
+}
+
+impl Room {
+    /// Floor area within the walls' inner faces, square metres.
+    pub fn area(&self) -> f64 {
+        self.inner.area()
+    }
+}
+
+/// Whether all of a room was seen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RoomState {
+    /// Seen whole.
+    Complete,
+    /// Seen in part; the unseen part of its outline is an estimate.
+    Partial,
+}
+
+/// One straight wall.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Wall {
+    /// Its centre line.
+    pub line: Segment,
+    /// Distance between its two faces, metres.
+    pub thickness: f64,
+    /// The share of it that the document shows as obstacle, 0 to 1: how sure the wall is.
+    pub weight: f64,
+    /// The rooms to its left and right, seen from `line.a` to `line.b`; none is outside.
+    pub rooms: [Option<RoomId>; 2],
+}
+
+/// Kind of an opening.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum OpeningKind {
+    /// An opening of a door's width.
+    Door,
+    /// A wider opening.
+    Passage,
+}
+
+/// An opening in the wall between two rooms.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Opening {
+    /// Door or passage.
+    pub kind: OpeningKind,
+    /// From jamb to jamb, along the wall's centre line.
+    pub segment: Segment,
+    /// The two rooms it joins, the smaller id first.
+    pub rooms: [RoomId; 2],
+}
+
+impl Opening {
+    /// Clear width, metres.
+    pub fn width(&self) -> f64 {
+        self.segment.length()
+    }
+}
+
+/// A boundary between explored and unexplored space.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Frontier {
+    /// Where it runs.
+    pub segment: Segment,
+    /// The partial room it belongs to.
+    pub room: RoomId,
+}
+
+/// A line along which walls are aligned, clipped to the building's surroundings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RepresentativeLine {
+    /// Where it runs.
+    pub segment: Segment,
+    /// Total length of the wall segments that it stands for, metres.
+    pub support: f64,
+}
+
+/// Rooms and the ways between them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct RoomGraph {
+    /// The rooms, by rising id.
+    pub nodes: Vec<RoomId>,
+    /// Pairs of rooms joined by at least one opening, smaller id first, in rising order.
+    pub edges: Vec<GraphEdge>,
+}
+
+/// Two rooms that are joined.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct GraphEdge {
+    /// The two rooms, smaller id first.
+    pub rooms: [RoomId; 2],
+    /// Indices into [`Layout::openings`].
+    pub openings: Vec<usize>,
+}
+
+impl Layout {
+    /// The room graph: a node for each room, an edge for each pair that an opening joins.
+    pub fn graph(&self) -> RoomGraph {
+        let mut edges: BTreeMap<[RoomId; 2], Vec<usize>> = BTreeMap::new();
+        for (i, opening) in self.openings.iter().enumerate() {
+            edges.entry(opening.rooms).or_default().push(i);
+        }
+        let edges = edges.into_iter().map(|(rooms, openings)| GraphEdge { rooms, openings }).collect();
+        RoomGraph { nodes: self.rooms.iter().map(|r| r.id).collect(), edges }
+    }
+
+    /// The smallest and the largest coordinates of rooms and walls, or `None` for an empty layout.
+    pub fn bounds(&self) -> Option<(Point, Point)> {
+        let rooms =
+            self.rooms.iter().flat_map(|r| r.centre.exterior.iter().chain(&r.inner.exterior)).copied();
+        let walls = self.walls.iter().flat_map(|w| [w.line.a, w.line.b]);
+        rooms.chain(walls).fold(None, |bounds, p| {
+            let (lo, hi) = bounds.unwrap_or((p, p));
+            Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn opening(rooms: [RoomId; 2]) -> Opening {
+        Opening { kind: OpeningKind::Door, segment: Segment::default(), rooms }
+    }
+
+    #[test]
+    fn graph_joins_each_pair_once() {
+        let layout =
+            Layout { openings: vec![opening([2, 3]), opening([1, 2]), opening([2, 3])], ..Layout::default() };
+        let edges = layout.graph().edges;
+        assert_eq!(edges.len(), 2);
+        assert_eq!((edges[1].rooms, edges[1].openings.as_slice()), ([2, 3], [0, 2].as_slice()));
+    }
+
+    #[test]
+    fn layout_survives_json() {
+        let square = Polygon::new([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]].map(Point::from).to_vec(), vec![]);
+        let room = Room {
+            id: 1,
+            name: Some("Küche".into()),
+            state: RoomState::Partial,
+            inner: square.clone(),
+            centre: square,
+        };
+        let layout = Layout { rooms: vec![room], ..Layout::default() };
+        let text = serde_json::to_string(&layout).unwrap();
+        assert_eq!(serde_json::from_str::<Layout>(&text).unwrap(), layout);
+    }
+}

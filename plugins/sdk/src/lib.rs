@@ -1,0 +1,34 @@
+//! The contract between planform and its plugins.
+//!
+//! A document goes through three forms, and this crate defines them and the two traits between them:
+//!
+//! ```text
+//! document --InputAdapter--> Scene --reconstruct--> Layout --Exporter--> file
+//! ```
+//!
+//! * [`Grid`]: an occupancy grid with its place in the map frame;
+//! * [`Scene`]: a grid and what else the document showed (texts, symbols, a geographic anchor);
+//! * [`Layout`]: rooms, walls, openings, frontiers, in metres in the map frame, x right, y up.
+//!
+//! The crate has no opinion on formats and no knowledge of the reconstruction.
+
+mod adapter;
+mod error;
+mod exporter;
+mod geometry;
+mod grid;
+mod layout;
+mod options;
+mod scene;
+
+pub use adapter::{Confidence, InputAdapter, Probe, Source};
+pub use error::{ErrorKind, Place, PluginError};
+pub use exporter::{Document, Exporter};
+pub use geometry::{Point, Polygon, Pose, Segment, ring_signed_area};
+pub use grid::{Cell, Grid, GridError, MAX_CELLS};
+pub use layout::{
+    Frontier, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph, RoomId,
+    RoomState, Wall,
+};
+pub use options::{OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
+pub use scene::{GeoAnchor, Provenance, Scene, Symbol, Text};

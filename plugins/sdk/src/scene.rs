@@ -1,0 +1,81 @@
+//! What an input adapter reads out of a document.
+
+use crate::{Grid, Point, Pose};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The normalised form of every document: one grid and what else the document showed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    /// The occupancy grid.
+    pub grid: Grid,
+    /// The texts found, in the map frame.
+    pub texts: Vec<Text>,
+    /// The symbols found, in the map frame.
+    pub symbols: Vec<Symbol>,
+    /// Where the map frame lies on the Earth, if the document says so.
+    pub anchor: Option<GeoAnchor>,
+    /// Where it all came from.
+    pub provenance: Provenance,
+    /// What the reader should know: one sentence each, for the user's eyes.
+    pub warnings: Vec<String>,
+}
+
+impl Scene {
+    /// A scene of nothing but a grid.
+    pub fn of_grid(grid: Grid, provenance: Provenance) -> Self {
+        Self { grid, texts: vec![], symbols: vec![], anchor: None, provenance, warnings: vec![] }
+    }
+}
+
+/// Where a scene came from.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Provenance {
+    /// The document's file name without its folder.
+    pub source: String,
+    /// The name of the input adapter.
+    pub adapter: String,
+}
+
+/// A text found in a document.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Text {
+    /// What it says.
+    pub content: String,
+    /// Middle of its box, metres in the map frame; `yaw` is the reading direction.
+    pub pose: Pose,
+    /// Length along the reading direction, metres.
+    pub width: f64,
+    /// Height of the box, metres.
+    pub height: f64,
+    /// From 0 (a guess) to 1 (certain).
+    pub confidence: f64,
+}
+
+/// A symbol found in a document, such as a fire extinguisher.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Symbol {
+    /// What it means, as the templates' table names it.
+    pub kind: String,
+    /// Its middle and direction, metres in the map frame.
+    pub pose: Pose,
+    /// Length along its direction, metres.
+    pub width: f64,
+    /// Extent across its direction, metres.
+    pub height: f64,
+    /// From 0 (a guess) to 1 (certain).
+    pub score: f64,
+}
+
+/// Where the map frame lies on the Earth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct GeoAnchor {
+    /// WGS 84 latitude of `at`, degrees north.
+    pub latitude: f64,
+    /// WGS 84 longitude of `at`, degrees east.
+    pub longitude: f64,
+    /// Direction of the map's y axis, degrees clockwise from true north.
+    pub bearing: f64,
+    /// The point of the map frame that lies there, metres.
+    pub at: Point,
+}

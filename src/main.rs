@@ -1,0 +1,3 @@
+//! The program `planform`.
+
+fn main() {}
