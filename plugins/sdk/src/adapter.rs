@@ -93,8 +93,11 @@ impl Source {
 
 /// Reads a file of at most `limit` bytes. Refuses directories and everything else that has no end.
 fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, PluginError> {
-    let file = File::open(path)?;
-    let metadata = file.metadata()?;
+    // Before it is opened: opening a named pipe waits for a writer.
+    let metadata = std::fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(std::io::Error::from(std::io::ErrorKind::IsADirectory).into());
+    }
     if !metadata.is_file() {
         return Err(PluginError::new(ErrorKind::Io, "is not a file"));
     }
@@ -105,7 +108,7 @@ fn read_file(path: &Path, limit: u64) -> Result<Vec<u8>, PluginError> {
     }
     let mut bytes = Vec::with_capacity(metadata.len() as usize);
     // The file may grow while it is read.
-    file.take(limit + 1).read_to_end(&mut bytes)?;
+    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > limit { Err(too_large()) } else { Ok(bytes) }
 }
 

@@ -92,6 +92,21 @@ impl std::error::Error for PluginError {}
 
 impl From<io::Error> for PluginError {
     fn from(e: io::Error) -> Self {
-        Self::new(ErrorKind::Io, e.to_string())
+        Self::new(ErrorKind::Io, plain_words(&e))
     }
+}
+
+fn plain_words(e: &io::Error) -> String {
+    let words = match e.kind() {
+        io::ErrorKind::NotFound => "there is no such file",
+        io::ErrorKind::PermissionDenied => "the system does not permit it",
+        io::ErrorKind::StorageFull => "the disk is full",
+        io::ErrorKind::QuotaExceeded => "the disk quota is used up",
+        io::ErrorKind::FileTooLarge => "the system allows no file as large as this",
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
+        io::ErrorKind::NotADirectory => "a part of the path is a file, not a folder",
+        io::ErrorKind::IsADirectory => "is a folder, not a file",
+        _ => return e.to_string(),
+    };
+    words.into()
 }

@@ -2,6 +2,7 @@
 
 use crate::{ErrorKind, PluginError};
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// What a plugin says of itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,13 +74,11 @@ impl OptionSpec {
     pub fn parse(&self, value: &str) -> Result<OptionValue, PluginError> {
         match &self.kind {
             OptionKind::Text => Ok(OptionValue::Text(value.into())),
-            OptionKind::Flag => {
-                value.parse().map(OptionValue::Flag).map_err(|_| self.refuse(value, "true or false"))
-            }
+            OptionKind::Flag => value.parse().map(OptionValue::Flag).map_err(|_| self.refuse(value)),
             OptionKind::Choice(words) if words.iter().any(|w| w == value) => {
                 Ok(OptionValue::Text(value.into()))
             }
-            OptionKind::Choice(words) => Err(self.refuse(value, &format!("one of {}", words.join(", ")))),
+            OptionKind::Choice(_) => Err(self.refuse(value)),
             OptionKind::Number { above, max } => self.parse_number(value, *above, *max),
         }
     }
@@ -93,17 +92,40 @@ impl OptionSpec {
         let in_range = |v: f64| v.is_finite() && above.is_none_or(|a| v > a) && max.is_none_or(|m| v <= m);
         match value.trim().parse() {
             Ok(v) if in_range(v) => Ok(OptionValue::Number(v)),
-            _ => {
-                let above = above.map(|a| format!(" above {a}")).unwrap_or_default();
-                let max = max.map(|m| format!(" of at most {m}")).unwrap_or_default();
-                Err(self.refuse(value, &format!("a number{above}{max}")))
-            }
+            _ => Err(self.refuse(value)),
         }
     }
 
-    fn refuse(&self, value: &str, wanted: &str) -> PluginError {
+    fn refuse(&self, value: &str) -> PluginError {
         let message = format!("option `{}` cannot be `{value}`", self.name);
-        PluginError::new(ErrorKind::BadOption, message).advise(format!("give {wanted}"))
+        PluginError::new(ErrorKind::BadOption, message).advise(format!("give {}", self.kind))
+    }
+}
+
+/// What values are taken, in words: "a number above 0".
+impl fmt::Display for OptionKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text => f.write_str("any text"),
+            Self::Flag => f.write_str("true or false"),
+            Self::Choice(words) => write!(f, "one of {}", words.join(", ")),
+            Self::Number { above, max } => {
+                f.write_str("a number")?;
+                above.map_or(Ok(()), |a| write!(f, " above {a}"))?;
+                max.map_or(Ok(()), |m| write!(f, " of at most {m}"))
+            }
+        }
+    }
+}
+
+/// The value as the user types it.
+impl fmt::Display for OptionValue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(v) => v.fmt(f),
+            Self::Flag(v) => v.fmt(f),
+            Self::Text(v) => v.fmt(f),
+        }
     }
 }
 

@@ -1,0 +1,45 @@
+//! Reads a bare picture into a scene.
+
+use crate::options::{self, BARE_RESOLUTION, NAME, Unknown};
+use crate::picture::{Picture, Tone};
+use crate::unknown_grey::{Band, find};
+use image::ImageFormat;
+use planform_sdk::{Cell, ErrorKind, Grid, Options, PluginError, Pose, Provenance, Scene, Source};
+
+/// How far a pixel may be from a grey that the user gave.
+const TOLERANCE: u8 = 2;
+
+/// Reads the whole document: occupancy is darkness in percent, unknown where the grey says so.
+pub fn read(source: &Source, format: ImageFormat, options: &Options) -> Result<Scene, PluginError> {
+    let unknown = options::unknown(options)?;
+    let negate = options.flag("negate");
+    let resolution = options.number("resolution").unwrap_or(BARE_RESOLUTION);
+    let picture = Picture::decode(&source.bytes, format)?;
+    let (width, height) = (picture.width(), picture.height());
+    let greys = picture.map(|tone| grey(tone, negate));
+    drop(picture);
+    let bands = match unknown {
+        Unknown::Auto => find(&greys, width as usize, resolution),
+        Unknown::None => vec![],
+        Unknown::Grey(g) => vec![Band::around(if negate { 255 - g } else { g }, TOLERANCE)],
+    };
+    let cells = greys.iter().map(|&g| cell(g, &bands)).collect();
+    let grid = Grid::new(width, height, resolution, Pose::default(), cells)
+        .map_err(|e| PluginError::new(ErrorKind::BadInput, e.to_string()))?;
+    Ok(Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() }))
+}
+
+/// The grey from 0 (occupied) to 255 (free), or nothing where the picture is rather transparent than not.
+fn grey(tone: Tone, negate: bool) -> Option<u8> {
+    let shade = if negate { 1.0 - tone.shade } else { tone.shade };
+    (tone.alpha >= 0.5).then_some((shade * 255.0).round() as u8)
+}
+
+fn cell(grey: Option<u8>, unknown: &[Band]) -> Cell {
+    match grey {
+        Some(g) if !unknown.iter().any(|band| band.contains(g)) => {
+            Cell::percent((f64::from(255 - g) / 2.55).round() as u8)
+        }
+        _ => Cell::UNKNOWN,
+    }
+}

@@ -1,0 +1,9 @@
+//! Tests of the whole adapter, from bytes to scenes. Every input is made here.
+#![allow(clippy::unwrap_used)]
+
+mod bad_pictures;
+mod bad_yaml;
+mod bare;
+mod never_panics;
+mod support;
+mod yaml;
