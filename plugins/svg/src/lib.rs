@@ -1,1 +1,156 @@
-//! placeholder
+//! Writes layouts as SVG drawings to scale.
+//!
+//! One unit of the drawing is one metre, x right, y down; `width` and `height` of the root are its size on paper, in
+//! millimetres at the scale 1:100 or what the option `scale` says. The attribute `data-origin` of the root holds the
+//! map coordinates of the drawing's upper left corner: the point (x, y) of the drawing is the point
+//! (x0 + x, y0 - y) of the map frame, for all elements but those with a `transform` (the grid's picture, turned
+//! texts). Coordinates have four decimals, that is 0.1 mm.
+//!
+//! The layers, from the bottom, are groups with these ids, which Inkscape lists as layers:
+//!
+//! | layer | holds |
+//! | --- | --- |
+//! | `paper` | a white sheet |
+//! | `grid` | the occupancy grid as a picture; only with the option `grid` |
+//! | `rooms` | a path for each, id `room-1`, class `room complete` or `room partial`, `data-id`, `data-name`, `data-area` (floor, m²) |
+//! | `walls` | a line for each, id `wall-1`, class `wall` and `strong`, `medium` or `weak` by thirds of its `data-weight` |
+//! | `doors` | a group for each opening, id `opening-1`, class `door` or `passage`, `data-rooms`, `data-width` (m) |
+//! | `frontiers` | dashed lines, id `frontier-1`, `data-room` |
+//! | `symbols` | the document's symbols, id `symbol-1`, `data-kind`, `data-score` |
+//! | `texts` | the document's texts, id `text-1`; those that a label repeats have the class `named` and are hidden |
+//! | `labels` | name or number, and floor area, of each room, id `label-1`; not with the option `labels=false` |
+//! | `scale` | a scale bar |
+//!
+//! Colours are in the one `<style>` element, so that a drawing can be restyled by classes.
+
+mod element;
+mod notes;
+mod options;
+mod picture;
+mod rooms;
+mod sheet;
+mod spot;
+mod style;
+mod walls;
+
+use element::{layer, number, title, with_text};
+use picture::Part;
+use planform_sdk::{
+    Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, PluginInfo, Point, Scene,
+};
+use sheet::Sheet;
+use std::io::Write;
+use svg::node::element::{Group, Rectangle, SVG, Style};
+
+/// The exporter `svg`.
+pub fn exporter() -> Box<dyn Exporter> {
+    Box::new(Svg { info: options::info() })
+}
+
+struct Svg {
+    info: PluginInfo,
+}
+
+impl Exporter for Svg {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn write(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        out: &mut dyn Write,
+    ) -> Result<(), PluginError> {
+        let drawing = draw(document, options)?;
+        writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{drawing}")?;
+        Ok(())
+    }
+}
+
+fn draw(document: &Document<'_>, options: &Options) -> Result<SVG, PluginError> {
+    let layout = document.layout;
+    let grid = grid(document.scene, options)?;
+    let part = grid.and_then(Part::known);
+    let known = grid.zip(part).map(|(g, p)| p.corners().map(|c| g.to_map(c)));
+    let sheet = Sheet::around(layout, &known.map(Vec::from).unwrap_or_default())?;
+    let rules = [style::RULES, if grid.is_some() { style::OVER_GRID } else { "" }].concat();
+    let root = root(&sheet, options.number("scale").unwrap_or(100.0))?
+        .add(title(&layout.provenance.source))
+        .add(with_text("desc", &description(layout, &sheet)))
+        .add(Style::new(rules).set("type", "text/css"))
+        .add(paper(&sheet));
+    let root = match grid.zip(part) {
+        Some((grid, part)) => root.add(picture::draw(grid, &part, &sheet)?),
+        None => root,
+    };
+    Ok(layers(layout, options, &sheet).into_iter().fold(root, SVG::add))
+}
+
+/// The grid to lie underneath, if it is asked for.
+fn grid<'a>(scene: Option<&'a Scene>, options: &Options) -> Result<Option<&'a Grid>, PluginError> {
+    if !options.flag("grid") {
+        return Ok(None);
+    }
+    let missing = || {
+        PluginError::new(
+            ErrorKind::BadOption,
+            "option `grid` cannot be `true`: there is no grid beside the layout",
+        )
+        .advise("start from the map itself, or leave the option out")
+    };
+    scene.map(|s| Some(&s.grid)).ok_or_else(missing)
+}
+
+fn root(sheet: &Sheet, scale: f64) -> Result<SVG, PluginError> {
+    let millimetres = |metres: f64| metres * 1000.0 / scale;
+    if !(millimetres(sheet.size()).is_finite()) {
+        let message = format!("option `scale` cannot be `{scale}`: the drawing would have no finite size");
+        return Err(PluginError::new(ErrorKind::BadOption, message).advise("give a number such as 100"));
+    }
+    let Point { x, y } = sheet.origin;
+    Ok(SVG::new()
+        .set("xmlns:xlink", "http://www.w3.org/1999/xlink")
+        .set("xmlns:inkscape", "http://www.inkscape.org/namespaces/inkscape")
+        .set("width", format!("{}mm", number(millimetres(sheet.width))))
+        .set("height", format!("{}mm", number(millimetres(sheet.height))))
+        .set("viewBox", format!("0 0 {} {}", number(sheet.width), number(sheet.height)))
+        .set("data-origin", format!("{} {}", number(x), number(y)))
+        .set("data-scale", number(scale)))
+}
+
+fn description(layout: &Layout, sheet: &Sheet) -> String {
+    let Point { x, y } = sheet.origin;
+    format!(
+        "Drawn by planform {} with the method {:?}. One unit is one metre; the point (x, y) of the drawing is \
+         ({} + x, {} - y) in the map frame.",
+        env!("CARGO_PKG_VERSION"),
+        layout.method,
+        number(x),
+        number(y),
+    )
+}
+
+fn paper(sheet: &Sheet) -> Group {
+    let (width, height) = (number(sheet.width), number(sheet.height));
+    layer("paper").add(Rectangle::new().set("class", "paper").set("width", width).set("height", height))
+}
+
+/// The layers over the grid, from the bottom.
+fn layers(layout: &Layout, options: &Options, sheet: &Sheet) -> Vec<Group> {
+    let centre = options.text("boundary") == Some("centre");
+    let labels = options.flag("labels");
+    let mut layers = vec![
+        rooms::draw(layout, centre, sheet),
+        walls::draw(layout, sheet),
+        walls::open(layout, sheet),
+        walls::frontiers(layout, sheet),
+        notes::symbols(layout, sheet),
+        notes::texts(layout, labels, sheet),
+    ];
+    if labels {
+        layers.push(rooms::label(layout, centre, sheet));
+    }
+    layers.push(notes::scale(sheet));
+    layers
+}
