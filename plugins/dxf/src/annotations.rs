@@ -1,0 +1,59 @@
+//! Doors, passages, frontiers, texts and symbols.
+
+use crate::entity::{Entity, Shape};
+use crate::layer::Layer;
+use crate::text::one_line;
+use planform_sdk::{Frontier, Opening, OpeningKind, Point, Pose, Symbol, Text};
+
+/// Height of letters where the document gives none, metres.
+const LETTER_HEIGHT: f64 = 0.2;
+
+/// A door or passage: the line between its jambs.
+pub fn opening(opening: &Opening) -> Entity {
+    let kind = match opening.kind {
+        OpeningKind::Door => "door",
+        OpeningKind::Passage => "passage",
+    };
+    let data = vec![
+        ("kind", kind.into()),
+        ("width", opening.width().into()),
+        ("from", opening.rooms[0].into()),
+        ("to", opening.rooms[1].into()),
+    ];
+    Entity { layer: Layer::Door, shape: Shape::Line(opening.segment), data }
+}
+
+/// A frontier of a partial room.
+pub fn frontier(frontier: &Frontier) -> Entity {
+    let data = vec![("kind", "frontier".into()), ("room", frontier.room.into())];
+    Entity { layer: Layer::Frontier, shape: Shape::Line(frontier.segment), data }
+}
+
+/// A text of the document; nothing for a blank one.
+pub fn text(text: &Text) -> Option<Entity> {
+    note("text", &text.content, text.pose, [text.width, text.height], text.confidence)
+}
+
+/// The name of a symbol of the document.
+pub fn symbol(symbol: &Symbol) -> Option<Entity> {
+    note("symbol", &symbol.kind, symbol.pose, [symbol.width, symbol.height], symbol.score)
+}
+
+fn note(kind: &str, content: &str, pose: Pose, [width, height]: [f64; 2], confidence: f64) -> Option<Entity> {
+    let line = one_line(content).trim().to_owned();
+    let data = vec![
+        ("kind", kind.into()),
+        ("content", line.as_str().into()),
+        ("width", width.into()),
+        ("height", height.into()),
+        ("confidence", confidence.into()),
+    ];
+    let letters = if height > 0.0 { height } else { LETTER_HEIGHT };
+    let shape = Shape::Text {
+        middle: Point::new(pose.x, pose.y),
+        yaw: pose.yaw,
+        height: letters,
+        content: line.clone(),
+    };
+    (!line.is_empty()).then_some(Entity { layer: Layer::Annotation, shape, data })
+}

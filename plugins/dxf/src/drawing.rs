@@ -1,0 +1,33 @@
+//! Everything that is drawn of a layout.
+
+use crate::entity::Entity;
+use crate::{annotations, rooms, walls};
+use planform_sdk::{Layout, Point, Polygon, Room};
+
+/// The entities of a drawing and their bounds.
+pub struct Drawing {
+    pub entities: Vec<Entity>,
+    /// The smallest and the largest coordinates; `None` if nothing is drawn.
+    pub bounds: Option<(Point, Point)>,
+}
+
+impl Drawing {
+    /// The drawing of a layout. `ring` gives the polygon that is drawn of a room.
+    pub fn of(layout: &Layout, ring: impl Fn(&Room) -> &Polygon) -> Self {
+        let mut entities: Vec<_> =
+            layout.rooms.iter().flat_map(|room| rooms::draw(room, ring(room))).collect();
+        entities.extend(walls::draw(layout));
+        entities.extend(layout.openings.iter().map(annotations::opening));
+        entities.extend(layout.frontiers.iter().map(annotations::frontier));
+        entities.extend(layout.texts.iter().filter_map(annotations::text));
+        entities.extend(layout.symbols.iter().filter_map(annotations::symbol));
+        Self { bounds: bounds(&entities), entities }
+    }
+}
+
+fn bounds(entities: &[Entity]) -> Option<(Point, Point)> {
+    entities.iter().flat_map(|e| e.shape.corners()).fold(None, |bounds, p| {
+        let (lo, hi) = bounds.unwrap_or((p, p));
+        Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
+    })
+}
