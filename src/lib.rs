@@ -3,4 +3,6 @@
 //! The steps: an input adapter reads a document into a [`Scene`](planform_sdk::Scene), [`reconstruct::reconstruct`]
 //! turns the scene into a [`Layout`](planform_sdk::Layout), an exporter writes the layout.
 
+pub mod cli;
+pub mod host;
 pub mod reconstruct;

@@ -3,11 +3,44 @@
 //!
 //! The core reads no file, prints nothing and does not know where a grid came from.
 
+mod affinity;
+mod boundary;
+mod clutter;
+mod collinear;
+mod contour;
+mod directions;
+mod drawings;
+mod edges;
+mod faces;
+mod finish;
+mod inner;
+mod lines;
 mod observer;
+mod openings;
+mod outline;
+mod paper;
 mod params;
+mod partial;
+mod random;
+mod raster;
+mod rooms;
+mod segments;
+mod walls;
 
+pub use affinity::Affinity;
+pub use clutter::Clutter;
+pub use collinear::Collinear;
+pub use contour::Contour;
+pub use directions::Directions;
+pub use edges::Edges;
+pub use faces::Faces;
+pub use lines::Lines;
 pub use observer::{Drawing, Observer, Shape, Step};
 pub use params::{Method, Params};
+pub use partial::Partial;
+pub use rooms::{Metric, Rooms};
+pub use segments::Segments;
+pub use walls::Walls;
 
 use planform_sdk::{Layout, Scene};
 use thiserror::Error;
@@ -31,18 +64,6 @@ pub enum ReconstructError {
         /// What would do.
         advice: String,
     },
-    /// The work would grow beyond a limit.
-    #[error("{what}: {found}, and the most are {limit}; {advice}")]
-    Limit {
-        /// What there is too much of.
-        what: &'static str,
-        /// How many there are.
-        found: usize,
-        /// How many there may be.
-        limit: usize,
-        /// What the user can do.
-        advice: &'static str,
-    },
 }
 
 /// Reconstructs the layout of the building that the scene shows.
@@ -54,10 +75,7 @@ pub fn reconstruct(
     params: &Params,
     observer: &mut dyn Observer,
 ) -> Result<Layout, ReconstructError> {
-    observer.step(Step::Edges);
-    Ok(Layout {
-        provenance: scene.provenance.clone(),
-        method: params.method.name().into(),
-        ..Layout::default()
-    })
+    match params.method {
+        Method::Paper => paper::reconstruct(scene, params, observer),
+    }
 }

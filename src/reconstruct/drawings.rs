@@ -1,0 +1,158 @@
+//! What each step found, as drawings: the pictures of the paper's Fig. 1.
+
+use super::boundary::Run;
+use super::collinear::Collinears;
+use super::directions::Direction;
+use super::faces::{Arrangement, Edge};
+use super::lines::Line;
+use super::observer::{Drawing, Shape};
+use super::raster::Mask;
+use planform_sdk::{Point, Polygon, Segment};
+
+const GREEN: [u8; 3] = [0, 150, 60];
+const RED: [u8; 3] = [210, 30, 30];
+const YELLOW: [u8; 3] = [240, 200, 40];
+const BLACK: [u8; 3] = [0, 0, 0];
+const GREY: [u8; 3] = [150, 150, 150];
+
+/// Metres from the grid's corner to cells.
+#[derive(Clone, Copy)]
+pub struct Scale(pub f64);
+
+impl Scale {
+    fn point(self, p: Point) -> Point {
+        Point::new(p.x / self.0, p.y / self.0)
+    }
+
+    fn line(self, s: Segment, colour: [u8; 3], width: f64) -> Shape {
+        Shape::Line { segment: Segment::new(self.point(s.a), self.point(s.b)), colour, width }
+    }
+
+    fn area(self, p: &Polygon, colour: [u8; 3]) -> Shape {
+        let ring = |r: &Vec<Point>| r.iter().map(|&p| self.point(p)).collect();
+        let polygon = Polygon { exterior: ring(&p.exterior), holes: p.holes.iter().map(ring).collect() };
+        Shape::Area { polygon, colour }
+    }
+
+    /// The segments, one colour for all.
+    pub fn segments(self, segments: &[Segment]) -> Drawing {
+        Drawing { shapes: segments.iter().map(|&s| self.line(s, GREEN, 2.0)).collect() }
+    }
+
+    /// The segments, one colour for each direction.
+    pub fn directions(self, directions: &[Direction]) -> Drawing {
+        self.groups(directions.iter().map(|d| d.segments.as_slice()))
+    }
+
+    /// The segments, one colour for each spatial cluster.
+    pub fn collinears(self, clusters: &[Collinears]) -> Drawing {
+        self.groups(clusters.iter().map(|c| c.segments.as_slice()))
+    }
+
+    fn groups<'a>(self, groups: impl Iterator<Item = &'a [Segment]>) -> Drawing {
+        let shapes = groups
+            .enumerate()
+            .flat_map(|(i, g)| g.iter().map(move |&s| self.line(s, colour(i), 2.0)))
+            .collect();
+        Drawing { shapes }
+    }
+
+    /// The representative lines across the area.
+    pub fn lines(self, lines: &[Segment]) -> Drawing {
+        Drawing { shapes: lines.iter().map(|&s| self.line(s, RED, 1.0)).collect() }
+    }
+
+    /// The faces' edges; inner faces filled, the partial ones in grey.
+    pub fn faces(
+        self,
+        arrangement: &Arrangement,
+        edges: &[Edge],
+        inner: impl Fn(usize) -> bool,
+        partial: impl Fn(usize) -> bool,
+    ) -> Drawing {
+        let fill = |f: usize| self.area(&arrangement.polygon(f), if partial(f) { GREY } else { YELLOW });
+        let mut shapes: Vec<Shape> = (0..arrangement.faces.len()).filter(|&f| inner(f)).map(fill).collect();
+        shapes.extend(edges.iter().map(|e| self.line(ends(arrangement, e), RED, 1.0)));
+        Drawing { shapes }
+    }
+
+    /// The edges of inner faces, the thicker the more wall lies along them.
+    pub fn weights(
+        self,
+        arrangement: &Arrangement,
+        edges: &[Edge],
+        weights: &[f64],
+        inner: impl Fn(usize) -> bool,
+    ) -> Drawing {
+        let seen = |e: &Edge| inner(e.left) || e.right.is_some_and(&inner);
+        let edges = edges.iter().zip(weights).filter(|(e, _)| seen(e));
+        Drawing { shapes: edges.map(|(e, w)| self.line(ends(arrangement, e), RED, 0.5 + 4.0 * w)).collect() }
+    }
+
+    /// The rooms' polygons.
+    pub fn rooms<'a>(self, rooms: impl Iterator<Item = (&'a Polygon, bool)>) -> Drawing {
+        let colour = |i: usize, partial: bool| if partial { GREY } else { colour(i) };
+        Drawing {
+            shapes: rooms.enumerate().map(|(i, (p, partial))| self.area(p, colour(i, partial))).collect(),
+        }
+    }
+
+    /// The rooms with their boundaries, bold where there is a wall, and the openings.
+    pub fn layout<'a>(
+        self,
+        rooms: impl Iterator<Item = (&'a Polygon, bool)>,
+        runs: &[Run],
+        openings: impl Iterator<Item = Segment>,
+    ) -> Drawing {
+        let mut drawing = self.rooms(rooms);
+        drawing.shapes.extend(runs.iter().map(|r| self.line(r.segment, BLACK, 0.5 + 3.0 * r.weight)));
+        drawing.shapes.extend(openings.map(|s| self.line(s, RED, 3.0)));
+        drawing
+    }
+}
+
+/// The set cells in one colour.
+pub fn cells(mask: &Mask) -> Drawing {
+    marked(mask, BLACK)
+}
+
+/// The inner area, as the paper shows it.
+pub fn area(mask: &Mask) -> Drawing {
+    marked(mask, YELLOW)
+}
+
+fn marked(mask: &Mask, colour: [u8; 3]) -> Drawing {
+    let cells = mask.cells().map(|(c, r)| (c as u32, r as u32)).collect();
+    Drawing { shapes: vec![Shape::Cells { cells, colour }] }
+}
+
+fn ends(arrangement: &Arrangement, edge: &Edge) -> Segment {
+    Segment::new(arrangement.vertices[edge.ends[0]], arrangement.vertices[edge.ends[1]])
+}
+
+/// The part of a line within a rectangle, metres.
+pub fn clip(line: &Line, low: Point, high: Point) -> Option<Segment> {
+    let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
+    let mut ends: Vec<f64> = Vec::new();
+    for (i, &a) in corners.iter().enumerate() {
+        let b = corners[(i + 1) % 4];
+        let (da, db) = (line.side(a), line.side(b));
+        if (da > 0.0) != (db > 0.0) {
+            let t = da / (da - db);
+            ends.push(line.along(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))));
+        }
+    }
+    let (from, to) =
+        (ends.iter().copied().fold(f64::MAX, f64::min), ends.iter().copied().fold(f64::MIN, f64::max));
+    (from < to).then(|| Segment::new(line.point(from), line.point(to)))
+}
+
+/// Colours that neighbours in a list tell apart: the hue goes on by the golden angle.
+fn colour(i: usize) -> [u8; 3] {
+    let hue = (i as f64 * 0.618_033_988_75).fract() * 6.0;
+    let ramp = |shift: f64| {
+        let h = (hue + shift).rem_euclid(6.0);
+        (60.0 + 170.0 * (2.0 - (h - 3.0).abs()).clamp(0.0, 1.0)) as u8
+    };
+    [ramp(3.0), ramp(1.0), ramp(5.0)]
+}

@@ -1,0 +1,196 @@
+//! The floor of a room: its polygon along the walls' inner faces.
+//!
+//! Each side of a room's outline is moved to where the room's walls along it have their inner face: strips of floor
+//! are added where the face lies beyond the line, and strips of wall taken away where it lies before it.
+
+use super::outline::Outline;
+use geo::{Area, BooleanOps, Intersects};
+use planform_sdk::{Point, Polygon};
+
+/// A piece thinner than this is an artefact of the cutting, metres.
+const SLIVER: f64 = 1e-3;
+
+/// The floor within an outline; `inset` tells for each side, in the order of [`Outline::sides`], how far its inner
+/// face lies inside, metres (negative: outside). `None` if the walls leave no floor.
+pub fn floor(outline: &Outline, inset: &[f64]) -> Option<Polygon> {
+    let sides = sides(outline, inset);
+    let added: Vec<_> = sides.iter().filter(|s| s.inset < 0.0).map(Side::strip).collect();
+    let removed: Vec<_> = sides.iter().filter(|s| s.inset > 0.0).map(Side::strip).collect();
+    let mut floor = geo::MultiPolygon::new(vec![to_geo(&outline.polygon())]);
+    if !added.is_empty() {
+        floor = floor.union(&geo::unary_union(&added));
+    }
+    if !removed.is_empty() {
+        floor = floor.difference(&geo::unary_union(&removed));
+    }
+    largest(floor)
+}
+
+/// Makes floors disjoint: what two of them share goes to the room in whose outline it lies, else to the first.
+pub fn part(floors: &mut [Option<Polygon>], outlines: &[Polygon]) {
+    for a in 0..floors.len() {
+        for b in a + 1..floors.len() {
+            let (Some(p), Some(q)) = (&floors[a], &floors[b]) else { continue };
+            if !boxes_meet(p, q) {
+                continue;
+            }
+            let (p, q) = (to_geo(p), to_geo(q));
+            if !p.intersects(&q) || p.intersection(&q).unsigned_area() < SLIVER * SLIVER {
+                continue;
+            }
+            let p = p.difference(&q.intersection(&to_geo(&outlines[b])));
+            let q = geo::MultiPolygon::new(vec![q]).difference(&p);
+            (floors[a], floors[b]) = (largest(p), largest(q));
+        }
+    }
+}
+
+fn boxes_meet(p: &Polygon, q: &Polygon) -> bool {
+    let span = |r: &Polygon, v: fn(&Point) -> f64| {
+        r.exterior.iter().map(v).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)))
+    };
+    let meet = |v: fn(&Point) -> f64| {
+        let (a, b) = (span(p, v), span(q, v));
+        a.0 < b.1 && b.0 < a.1
+    };
+    meet(|p| p.x) && meet(|p| p.y)
+}
+
+/// One side of an outline with the insets of its neighbours.
+struct Side {
+    from: Point,
+    to: Point,
+    inset: f64,
+    before: f64,
+    after: f64,
+}
+
+fn sides(outline: &Outline, inset: &[f64]) -> Vec<Side> {
+    let mut sides = Vec::new();
+    let mut first = 0;
+    for ring in &outline.rings {
+        let n = ring.len();
+        let at = |i: usize| inset.get(first + i % n).copied().unwrap_or(0.0);
+        sides.extend((0..n).map(|i| Side {
+            from: ring[i].at,
+            to: ring[(i + 1) % n].at,
+            inset: at(i),
+            before: at(i + n - 1),
+            after: at(i + 1),
+        }));
+        first += n;
+    }
+    sides
+}
+
+impl Side {
+    /// The strip between the side and its inner face. At its ends it reaches as far as the neighbours' faces, so that
+    /// the strips of two walls fill the corner where they meet; an added strip only when they are added too.
+    fn strip(&self) -> geo::Polygon {
+        let length = self.from.distance(self.to).max(f64::MIN_POSITIVE);
+        let along = Point::new((self.to.x - self.from.x) / length, (self.to.y - self.from.y) / length);
+        let reach = |neighbour: f64| {
+            if self.inset > 0.0 { neighbour.abs() } else { (-neighbour).max(0.0) }
+        };
+        let at = |p: Point, forward: f64, left: f64| {
+            (p.x + forward * along.x - left * along.y, p.y + forward * along.y + left * along.x)
+        };
+        let (before, after) = (reach(self.before), reach(self.after));
+        let (low, high) = (self.inset.min(0.0), self.inset.max(0.0));
+        let corners = vec![
+            at(self.from, -before, low),
+            at(self.to, after, low),
+            at(self.to, after, high),
+            at(self.from, -before, high),
+        ];
+        geo::Polygon::new(geo::LineString::from(corners), vec![])
+    }
+}
+
+fn to_geo(p: &Polygon) -> geo::Polygon {
+    let ring = |r: &[Point]| r.iter().map(|p| (p.x, p.y)).collect::<geo::LineString>();
+    geo::Polygon::new(ring(&p.exterior), p.holes.iter().map(|h| ring(h)).collect())
+}
+
+/// The largest polygon, cleaned of vertices that bend nothing.
+fn largest(polygons: geo::MultiPolygon) -> Option<Polygon> {
+    let largest = polygons.0.into_iter().max_by(|a, b| a.unsigned_area().total_cmp(&b.unsigned_area()))?;
+    let ring = |r: &geo::LineString| clean(r.coords().map(|c| Point::new(c.x, c.y)).collect());
+    let exterior = ring(largest.exterior());
+    let holes = largest.interiors().iter().map(ring).filter(|h| h.len() > 2).collect();
+    (exterior.len() > 2).then(|| Polygon::new(exterior, holes))
+}
+
+/// Drops the repeated last point and every vertex that lies on the line between its neighbours.
+fn clean(mut ring: Vec<Point>) -> Vec<Point> {
+    if ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
+    let mut i = 0;
+    while ring.len() > 2 && i < ring.len() {
+        let n = ring.len();
+        let (a, b, c) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
+        let twice_area = ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)).abs();
+        if twice_area <= 1e-6 * a.distance(c).max(1e-6) {
+            ring.remove(i);
+            i = i.saturating_sub(1);
+        } else {
+            i += 1;
+        }
+    }
+    ring
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::Corner;
+    use super::*;
+
+    fn outline(points: &[[f64; 2]]) -> Outline {
+        Outline { rings: vec![points.iter().map(|&p| Corner { at: p.into(), line: None }).collect()] }
+    }
+
+    #[test]
+    fn a_square_shrinks_by_its_walls() {
+        let square = outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+        let floor = floor(&square, &[0.1, 0.2, 0.3, 0.4]).unwrap();
+        assert_eq!(floor.exterior.len(), 4);
+        assert!((floor.area() - (4.0 - 0.6) * (4.0 - 0.4)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_wall_beyond_the_line_gives_floor() {
+        let square = outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]);
+        let floor = floor(&square, &[-0.5, 0.2, -0.3, -0.1]).unwrap();
+        assert_eq!(floor.exterior.len(), 4);
+        assert!((floor.area() - (4.0 - 0.2 + 0.1) * 4.8).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_corner_that_juts_in_is_wall() {
+        let l = outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]]);
+        let floor = floor(&l, &[0.1; 6]).unwrap();
+        assert_eq!(floor.exterior.len(), 6);
+        assert!((floor.area() - (3.8 * 1.8 + 1.8 * 2.0)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn walls_without_floor_between_are_no_room() {
+        let thin = outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 0.2], [0.0, 0.2]]);
+        assert_eq!(floor(&thin, &[0.15; 4]), None);
+    }
+
+    #[test]
+    fn floors_that_overlap_are_parted() {
+        let square = |x: f64| {
+            Polygon::new(
+                [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]].map(Point::from).to_vec(),
+                vec![],
+            )
+        };
+        let mut floors = [Some(square(0.5)), Some(square(2.0))];
+        part(&mut floors, &[square(0.0), square(2.0)]);
+        let areas: Vec<f64> = floors.iter().flatten().map(Polygon::area).collect();
+        assert!((areas[0] - 3.0).abs() < 1e-6 && (areas[1] - 4.0).abs() < 1e-6);
+    }
+}
