@@ -1,3 +1,7 @@
 //! The program `planform`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    planform::cli::main(std::env::args_os())
+}

@@ -1,0 +1,196 @@
+//! `planform convert`.
+
+use super::Failure;
+use super::failure::say;
+use super::input::{InputArgs, Opened};
+use super::output::{self, Target};
+use super::params::MethodArgs;
+use super::progress::{Progress, Voice};
+use super::watch::{DebugFolder, Watch};
+use crate::host::Registry;
+use crate::reconstruct::{Params, reconstruct};
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use planform_sdk::{Document, Layout, OpeningKind, Options, RoomState, Scene};
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  planform convert map.yaml -o rooms.svg
+      draw the rooms, walls and doors of a robot's map
+  planform convert map.yaml -o rooms.svg -o rooms.dxf -o rooms.geojson
+      the same in three formats at once
+  planform convert scan.png --resolution 0.05 -o rooms.dxf
+      a bare picture whose pixels are 5 cm wide
+  planform convert map.yaml -o rooms.geojson --anchor 48.1374,11.5755,12
+      put the rooms on the Earth
+  cat map.pgm | planform convert - --resolution 0.05 -o - --to svg > rooms.svg
+      from standard input to standard output
+  planform convert map.yaml -o rooms.svg --debug-dir steps
+      also paint what each step of the reconstruction found";
+
+/// Reconstruct the rooms, walls and doors that a document shows, and write them
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct ConvertArgs {
+    #[command(flatten)]
+    input: InputArgs,
+    /// Write this file; its extension names the format. May be given several times; `-` is standard output
+    #[arg(short, long, value_name = "FILE", required = true)]
+    output: Vec<PathBuf>,
+    /// The format of outputs whose name does not tell it
+    #[arg(long, value_name = "FORMAT", value_parser = exporter_names())]
+    to: Option<String>,
+    /// Overwrite files that are there already
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    method: MethodArgs,
+    /// Paint what each step found into this folder, as `01-clutter.png` and so on
+    #[arg(long, value_name = "DIR")]
+    debug_dir: Option<PathBuf>,
+    /// Tell each step and how long it took
+    #[arg(short, long, conflicts_with = "quiet")]
+    verbose: bool,
+    /// Tell nothing but errors
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+fn exporter_names() -> PossibleValuesParser {
+    PossibleValuesParser::new(
+        Registry::builtin().exporters().map(|e| e.info().name.clone()).collect::<Vec<_>>(),
+    )
+}
+
+impl ConvertArgs {
+    fn voice(&self) -> Voice {
+        match (self.quiet, self.verbose) {
+            (true, _) => Voice::Quiet,
+            (_, true) => Voice::Verbose,
+            _ => Voice::Normal,
+        }
+    }
+}
+
+pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
+    let registry = Registry::builtin();
+    let targets = output::plan(&args.output, args.to.as_deref(), &registry)?;
+    let params = args.method.params()?;
+    targets.iter().try_for_each(|t| t.check(&args.input.input, args.force))?;
+    let opened = Opened::open(&args.input, &registry)?;
+    let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
+    let options = opened.options(&args.input.settings(), &exporters)?;
+    let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force)).transpose()?;
+    let (adapter_options, exporter_options) = options.split_at(1);
+    let scene = read(&opened, &adapter_options[0], args.voice())?;
+    let run = Run { opened: &opened, scene: &scene, voice: args.voice() };
+    let layout = run.finish(&params, folder.as_ref(), &targets, exporter_options, args.force)?;
+    if args.voice() != Voice::Quiet {
+        say(&summary(&opened.shown(), &layout, &targets));
+    }
+    Ok(())
+}
+
+fn read(opened: &Opened<'_>, options: &Options, voice: Voice) -> Result<Scene, Failure> {
+    let mut progress = Progress::new(voice);
+    progress.step("reading");
+    let scene = opened.read(options)?;
+    drop(progress);
+    if voice != Voice::Quiet {
+        scene.warnings.iter().for_each(|w| say(&format!("warning: {}: {w}", opened.shown())));
+    }
+    Ok(scene)
+}
+
+/// A document that has been read.
+struct Run<'a> {
+    opened: &'a Opened<'a>,
+    scene: &'a Scene,
+    voice: Voice,
+}
+
+impl Run<'_> {
+    /// Reconstructs the layout and writes it.
+    fn finish(
+        &self,
+        params: &Params,
+        folder: Option<&DebugFolder>,
+        targets: &[Target<'_>],
+        options: &[Options],
+        force: bool,
+    ) -> Result<Layout, Failure> {
+        let mut progress = Progress::new(self.voice);
+        let layout = self.reconstruct(params, folder, &mut progress)?;
+        progress.step("writing");
+        let contents: Vec<_> =
+            targets.iter().zip(options).map(|(t, o)| self.render(&layout, t, o)).collect::<Result<_, _>>()?;
+        output::write(targets, &contents, force)?;
+        Ok(layout)
+    }
+
+    fn reconstruct(
+        &self,
+        params: &Params,
+        folder: Option<&DebugFolder>,
+        progress: &mut Progress,
+    ) -> Result<Layout, Failure> {
+        let mut watch = Watch::new(progress, folder, &self.scene.grid);
+        let layout =
+            reconstruct(self.scene, params, &mut watch).map_err(|e| Failure::over(self.opened.shown(), e))?;
+        watch.finish()?;
+        Ok(layout)
+    }
+
+    fn render(&self, layout: &Layout, target: &Target<'_>, options: &Options) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Vec::new();
+        let document = Document { layout, scene: Some(self.scene) };
+        let written = target.exporter.write(&document, options, &mut bytes);
+        written.map_err(|e| Failure::of_plugin(target.shown(), e))?;
+        Ok(bytes)
+    }
+}
+
+/// `map.yaml: 12 rooms (2 partial), 58 walls, 14 doors -> out.svg, out.dxf`
+fn summary(input: &str, layout: &Layout, targets: &[Target<'_>]) -> String {
+    let outputs: Vec<_> = targets.iter().map(|t| t.shown()).collect();
+    format!("{input}: {} -> {}", found(layout), outputs.join(", "))
+}
+
+fn found(layout: &Layout) -> String {
+    let partial = layout.rooms.iter().filter(|r| r.state == RoomState::Partial).count();
+    let partial = if partial > 0 { format!(" ({partial} partial)") } else { String::new() };
+    let openings = |kind| layout.openings.iter().filter(|o| o.kind == kind).count();
+    let (doors, passages) = (openings(OpeningKind::Door), openings(OpeningKind::Passage));
+    let passages = if passages > 0 { format!(", {}", count(passages, "passage")) } else { String::new() };
+    format!(
+        "{}{partial}, {}, {}{passages}",
+        count(layout.rooms.len(), "room"),
+        count(layout.walls.len(), "wall"),
+        count(doors, "door")
+    )
+}
+
+fn count(n: usize, thing: &str) -> String {
+    format!("{n} {thing}{}", if n == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planform_sdk::{Opening, Polygon, Room, Segment};
+
+    #[test]
+    fn the_summary_counts_what_was_found() {
+        let room =
+            |id, state| Room { id, name: None, state, inner: Polygon::default(), centre: Polygon::default() };
+        let door = Opening { kind: OpeningKind::Door, segment: Segment::default(), rooms: [1, 2] };
+        let layout = Layout {
+            rooms: vec![room(1, RoomState::Complete), room(2, RoomState::Partial)],
+            openings: vec![door],
+            ..Layout::default()
+        };
+        assert_eq!(found(&layout), "2 rooms (1 partial), 0 walls, 1 door");
+        assert_eq!(found(&Layout::default()), "0 rooms, 0 walls, 0 doors");
+    }
+}

@@ -1,0 +1,82 @@
+//! The program `planform`: one file for each verb.
+
+mod completions;
+mod convert;
+mod failure;
+mod input;
+mod inspect;
+mod man;
+mod output;
+mod params;
+mod picture;
+mod plugins;
+mod progress;
+mod watch;
+
+pub use failure::Failure;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+const EXAMPLES: &str = "\
+Examples:
+  planform convert map.yaml -o rooms.svg              draw the rooms of a robot's map
+  planform convert map.yaml -o a.dxf -o a.geojson     two formats at once
+  planform inspect map.yaml                           what is in this file?
+  planform plugins                                    what can be read and written?
+
+Exit status: 0 done, 1 failed, 2 the command line makes no sense.";
+
+/// Finds the rooms, walls and doors of a building in a document that shows it, such as the map that a robot made,
+/// and writes them as a drawing or as data.
+#[derive(Parser)]
+#[command(name = "planform", version, after_help = EXAMPLES, arg_required_else_help = true)]
+#[command(disable_help_subcommand = true)]
+struct Cli {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    Convert(convert::ConvertArgs),
+    Inspect(inspect::InspectArgs),
+    Plugins(plugins::PluginsArgs),
+    Params(params::ParamsArgs),
+    Completions(completions::CompletionsArgs),
+    Man(man::ManArgs),
+}
+
+impl Verb {
+    fn run(&self) -> Result<(), Failure> {
+        match self {
+            Self::Convert(args) => convert::run(args),
+            Self::Inspect(args) => inspect::run(args),
+            Self::Plugins(args) => plugins::run(args),
+            Self::Params(args) => params::run(args),
+            Self::Completions(args) => completions::run(args),
+            Self::Man(args) => man::run(args),
+        }
+    }
+}
+
+/// Runs the program with these arguments, the first being its own name.
+pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let args: Vec<_> = args.into_iter().collect();
+    match Cli::try_parse_from(&args) {
+        Ok(cli) => {
+            failure::catch_bugs(&args, || cli.verb.run()).map_or_else(Failure::report, |()| ExitCode::SUCCESS)
+        }
+        Err(e) => {
+            // Nobody is left to be told when help cannot be printed.
+            let _ = e.print();
+            ExitCode::from(e.exit_code() as u8)
+        }
+    }
+}
+
+/// The whole command line, for what is made from it.
+fn command() -> clap::Command {
+    Cli::command()
+}

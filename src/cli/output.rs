@@ -1,0 +1,221 @@
+//! Where a conversion writes to: checked before the work, written whole or not at all.
+
+use super::Failure;
+use super::failure::print;
+use crate::host::Registry;
+use planform_sdk::Exporter;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// One output and who writes it.
+pub struct Target<'a> {
+    /// As the user typed it.
+    pub path: PathBuf,
+    /// The format.
+    pub exporter: &'a dyn Exporter,
+    place: Place,
+}
+
+/// What kind of thing an output is.
+#[derive(Debug, PartialEq, Eq)]
+enum Place {
+    /// `-`.
+    Stdout,
+    /// Something that is there and is no regular file, such as `/dev/null`: written to directly.
+    Device,
+    /// A file, by its path without symbolic links.
+    File(PathBuf),
+}
+
+/// The outputs of these paths. The format is that of the extension; `to` is that of the others.
+pub fn plan<'a>(
+    paths: &[PathBuf],
+    to: Option<&str>,
+    registry: &'a Registry,
+) -> Result<Vec<Target<'a>>, Failure> {
+    if let Some(to) = to
+        && paths.iter().all(|p| registry.exporter_for(p).is_some())
+    {
+        let message = format!("--to {to} has no use: every output's extension already names its format");
+        return Err(Failure::Usage(message));
+    }
+    let targets: Vec<_> = paths.iter().map(|p| target(p, to, registry)).collect::<Result<_, _>>()?;
+    match targets.iter().enumerate().find(|(i, t)| targets[..*i].iter().any(|other| other.is_same_file(t))) {
+        Some((_, twice)) => Err(Failure::Usage(format!("{}: is given as an output twice", twice.shown()))),
+        None => Ok(targets),
+    }
+}
+
+fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<Target<'a>, Failure> {
+    let named = || to.and_then(|to| registry.exporter(to));
+    let exporter = registry.exporter_for(path).or_else(named).ok_or_else(|| no_format(path, registry))?;
+    Ok(Target { path: path.into(), exporter, place: Place::of(path) })
+}
+
+fn no_format(path: &Path, registry: &Registry) -> Failure {
+    let names: Vec<_> = registry.exporters().map(|e| e.info().name.as_str()).collect();
+    let name = if path == Path::new("-") { "standard output".into() } else { path.display().to_string() };
+    let advice = format!("`--to FORMAT` names it, one of {}", names.join(", "));
+    Failure::Usage(format!("{name}: the name does not tell which format to write; {advice}"))
+}
+
+impl Place {
+    fn of(path: &Path) -> Self {
+        if path == Path::new("-") {
+            return Self::Stdout;
+        }
+        match fs::metadata(path) {
+            Ok(m) if !m.is_file() && !m.is_dir() => Self::Device,
+            _ => Self::File(real(path)),
+        }
+    }
+}
+
+/// The path without symbolic links, also for a file that is not there yet.
+fn real(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| match (folder(path).canonicalize(), path.file_name()) {
+        (Ok(folder), Some(name)) => folder.join(name),
+        _ => path.into(),
+    })
+}
+
+/// The folder that a file lies in.
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if parent != Path::new("") => parent,
+        _ => Path::new("."),
+    }
+}
+
+impl Target<'_> {
+    /// The output as the user knows it.
+    pub fn shown(&self) -> String {
+        if self.place == Place::Stdout { "standard output".into() } else { self.path.display().to_string() }
+    }
+
+    fn is_same_file(&self, other: &Self) -> bool {
+        self.place == other.place && self.place != Place::Device
+    }
+
+    /// Fails if the output cannot be written, or must not be, while nothing has been done yet.
+    pub fn check(&self, input: &Path, force: bool) -> Result<(), Failure> {
+        let Place::File(real) = &self.place else { return Ok(()) };
+        if input.canonicalize().is_ok_and(|input| input == *real) {
+            return Err(Failure::Usage(format!("{}: is both input and output", self.path.display())));
+        }
+        check_file(&self.path, force)
+    }
+
+    /// Writes a device or standard output.
+    fn write_directly(&self, bytes: &[u8]) -> Result<(), Failure> {
+        match &self.place {
+            Place::Stdout => print(bytes),
+            Place::Device => fs::OpenOptions::new()
+                .write(true)
+                .open(&self.path)
+                .and_then(|mut file| file.write_all(bytes))
+                .map_err(|e| Failure::of_io(&self.path, e)),
+            Place::File(_) => Ok(()),
+        }
+    }
+}
+
+/// Fails if a file cannot be written here, or must not be.
+pub fn check_file(path: &Path, force: bool) -> Result<(), Failure> {
+    let refuse = |reason: &str| Err(Failure::over(path, reason));
+    match fs::metadata(path) {
+        Ok(m) if m.is_dir() => refuse("is a folder; give the name of a file in it"),
+        Ok(_) if !force => refuse("is there already; `--force` overwrites it"),
+        Ok(m) if m.permissions().readonly() => refuse("is read-only; choose another name"),
+        _ => check_folder(path),
+    }
+}
+
+fn check_folder(path: &Path) -> Result<(), Failure> {
+    let folder = folder(path);
+    match fs::metadata(folder) {
+        Ok(m) if !m.is_dir() => Err(Failure::over(path, format!("`{}` is not a folder", folder.display()))),
+        Err(e) if e.kind() == io::ErrorKind::NotFound => Err(Failure::over(
+            path,
+            format!("the folder `{}` is not there; create it first", folder.display()),
+        )),
+        // A file without a name, that nobody ever sees, tells whether the folder takes files.
+        Ok(_) => tempfile::tempfile_in(folder).map(drop).map_err(|e| unwritable(path, e)),
+        Err(e) => Err(unwritable(path, e)),
+    }
+}
+
+fn unwritable(path: &Path, error: io::Error) -> Failure {
+    let reason = planform_sdk::PluginError::from(error);
+    Failure::over(path, format!("the folder `{}` takes no file: {reason}", folder(path).display()))
+}
+
+/// Writes every output. Files appear under their names only when all of them are safe on the disk.
+pub fn write(targets: &[Target<'_>], contents: &[Vec<u8>], force: bool) -> Result<(), Failure> {
+    let mut staged = Vec::new();
+    for (target, bytes) in targets.iter().zip(contents) {
+        if let Place::File(real) = &target.place {
+            staged.push(stage(real, bytes).map_err(|e| Failure::of_io(&target.path, e))?);
+        }
+    }
+    staged.into_iter().try_for_each(|file| file.publish(force))?;
+    targets.iter().zip(contents).try_for_each(|(target, bytes)| target.write_directly(bytes))
+}
+
+/// Writes one file, whole or not at all.
+pub fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure> {
+    stage(path, bytes).map_err(|e| Failure::of_io(path, e))?.publish(force)
+}
+
+/// A file that is safe on the disk under a passing name; removed when dropped.
+struct Staged {
+    file: NamedTempFile,
+    path: PathBuf,
+}
+
+fn stage(path: &Path, bytes: &[u8]) -> io::Result<Staged> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".planform-");
+    // A file like any other that the user makes; without this, nobody else could read it.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let mut file = builder.tempfile_in(folder(path))?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    Ok(Staged { file, path: path.into() })
+}
+
+impl Staged {
+    fn publish(self, force: bool) -> Result<(), Failure> {
+        let Self { file, path } = self;
+        let done = if force { file.persist(&path) } else { file.persist_noclobber(&path) };
+        done.map(drop).map_err(|e| Failure::of_io(path, e.error))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_appears_whole_and_alone() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("a.svg");
+        write_file(&path, b"one", false).unwrap();
+        assert!(write_file(&path, b"two", false).is_err());
+        write_file(&path, b"three", true).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"three");
+        assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn one_file_by_two_names_is_one_place() {
+        let dir = tempfile::tempdir().unwrap();
+        let plain = dir.path().join("a.svg");
+        assert_eq!(Place::of(&plain), Place::of(&dir.path().join(".").join("a.svg")));
+        assert_ne!(Place::of(&plain), Place::of(&dir.path().join("b.svg")));
+        assert_eq!(Place::of(Path::new("/dev/null")), Place::Device);
+    }
+}

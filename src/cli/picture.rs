@@ -1,0 +1,207 @@
+//! Paints what a step of the reconstruction found over a pale picture of the grid.
+
+use crate::reconstruct::{Drawing, Shape};
+use image::{ExtendedColorType, ImageEncoder, ImageError, codecs::png::PngEncoder};
+use planform_sdk::{Cell, Grid, Point, Polygon, Segment};
+use std::ops::Range;
+use tiny_skia::{FillRule, LineCap, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, Transform};
+
+/// Small maps are enlarged until their longest side has about this many pixels.
+const WANTED: f64 = 1600.0;
+/// No side has more pixels.
+const LONGEST: f64 = 4000.0;
+/// A cell is never enlarged to more pixels.
+const LARGEST_CELL: f64 = 16.0;
+
+const FREE: u8 = 255;
+const UNKNOWN: u8 = 228;
+const OCCUPIED: u8 = 150;
+
+/// Opacity of an [`Shape::Area`].
+const AREA_ALPHA: u8 = 110;
+
+/// A picture of a grid, ready to be painted over.
+pub struct Painter {
+    background: Pixmap,
+    /// Pixels per cell.
+    scale: f64,
+    /// From cells, y up, to pixels, y down.
+    transform: Transform,
+}
+
+impl Painter {
+    /// The picture of this grid; none if there is no memory for it.
+    pub fn new(grid: &Grid) -> Option<Self> {
+        let scale = scale(grid.width().max(grid.height()));
+        let side = |cells: u32| (f64::from(cells) * scale).round().max(1.0) as u32;
+        let background = background(grid, side(grid.width()), side(grid.height()))?;
+        let transform =
+            Transform::from_row(scale as f32, 0.0, 0.0, -scale as f32, 0.0, background.height() as f32);
+        Some(Self { background, scale, transform })
+    }
+
+    /// The drawing over the grid, as a PNG file.
+    pub fn png(&self, drawing: &Drawing) -> Result<Vec<u8>, ImageError> {
+        let mut picture = self.background.clone();
+        for shape in &drawing.shapes {
+            self.paint(&mut picture, shape);
+        }
+        let mut png = Vec::new();
+        let (width, height) = (picture.width(), picture.height());
+        // The background is opaque, so premultiplied colours are the colours themselves.
+        PngEncoder::new(&mut png).write_image(picture.data(), width, height, ExtendedColorType::Rgba8)?;
+        Ok(png)
+    }
+
+    fn paint(&self, picture: &mut Pixmap, shape: &Shape) {
+        match shape {
+            Shape::Cells { cells, colour } => {
+                cells.iter().for_each(|cell| self.paint_cell(picture, *cell, *colour))
+            }
+            Shape::Line { segment, colour, width } => self.paint_line(picture, segment, *colour, *width),
+            Shape::Area { polygon, colour } => self.paint_area(picture, polygon, *colour),
+        }
+    }
+
+    fn paint_cell(&self, picture: &mut Pixmap, (column, row): (u32, u32), [r, g, b]: [u8; 3]) {
+        let Some(colour) = PremultipliedColorU8::from_rgba(r, g, b, 255) else { return };
+        let (width, height) = (picture.width() as usize, picture.height() as usize);
+        for y in self.pixels_of(row, height) {
+            let line = (height - 1 - y) * width;
+            for x in self.pixels_of(column, width) {
+                picture.pixels_mut()[line + x] = colour;
+            }
+        }
+    }
+
+    /// The pixels that a column or a row of cells covers, at least one unless it lies outside.
+    fn pixels_of(&self, cell: u32, side: usize) -> Range<usize> {
+        let start = (f64::from(cell) * self.scale) as usize;
+        let end = ((f64::from(cell) + 1.0) * self.scale) as usize;
+        start.min(side)..end.max(start + 1).min(side)
+    }
+
+    fn paint_line(&self, picture: &mut Pixmap, segment: &Segment, colour: [u8; 3], width: f64) {
+        let mut path = PathBuilder::new();
+        add_points(&mut path, &[segment.a, segment.b]);
+        let stroke = Stroke { width: width as f32, line_cap: LineCap::Round, ..Stroke::default() };
+        // The width is in pixels, so the path is transformed first and stroked then.
+        if let Some(path) = path.finish().and_then(|p| p.transform(self.transform)) {
+            picture.stroke_path(&path, &paint(colour, 255), &stroke, Transform::identity(), None);
+        }
+    }
+
+    fn paint_area(&self, picture: &mut Pixmap, polygon: &Polygon, colour: [u8; 3]) {
+        let mut path = PathBuilder::new();
+        for ring in polygon.rings() {
+            add_points(&mut path, ring);
+            path.close();
+        }
+        if let Some(path) = path.finish() {
+            picture.fill_path(&path, &paint(colour, AREA_ALPHA), FillRule::EvenOdd, self.transform, None);
+        }
+    }
+}
+
+fn add_points(path: &mut PathBuilder, points: &[Point]) {
+    let Some((first, rest)) = points.split_first() else { return };
+    path.move_to(first.x as f32, first.y as f32);
+    for p in rest {
+        path.line_to(p.x as f32, p.y as f32);
+    }
+}
+
+fn paint([r, g, b]: [u8; 3], alpha: u8) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(r, g, b, alpha);
+    paint
+}
+
+/// Pixels per cell.
+fn scale(longest: u32) -> f64 {
+    let longest = f64::from(longest);
+    let enlarged = (WANTED / longest).floor().clamp(1.0, LARGEST_CELL);
+    enlarged.min(LONGEST / longest)
+}
+
+/// The grid in pale grey. Where several cells share a pixel the darkest shows, so that thin walls do not vanish.
+fn background(grid: &Grid, width: u32, height: u32) -> Option<Pixmap> {
+    let mut picture = Pixmap::new(width, height)?;
+    let columns = spans(grid.width(), width);
+    let rows = spans(grid.height(), height);
+    let places = rows.iter().rev().flat_map(|row| columns.iter().map(move |column| (column, row)));
+    for (pixel, (column, row)) in picture.pixels_mut().iter_mut().zip(places) {
+        let grey = darkest(grid, column, row);
+        *pixel = PremultipliedColorU8::from_rgba(grey, grey, grey, 255)?;
+    }
+    Some(picture)
+}
+
+/// The cells that each pixel of a side shows.
+fn spans(cells: u32, pixels: u32) -> Vec<Range<i64>> {
+    let (cells, pixels) = (i64::from(cells), i64::from(pixels));
+    (0..pixels).map(|p| p * cells / pixels..((p + 1) * cells / pixels).max(p * cells / pixels + 1)).collect()
+}
+
+fn darkest(grid: &Grid, columns: &Range<i64>, rows: &Range<i64>) -> u8 {
+    let cells = rows.clone().flat_map(|row| columns.clone().map(move |column| grid.cell(column, row)));
+    cells.map(grey).min().unwrap_or(UNKNOWN)
+}
+
+fn grey(cell: Cell) -> u8 {
+    let Some(percent) = cell.occupancy() else { return UNKNOWN };
+    FREE - (u16::from(percent) * u16::from(FREE - OCCUPIED) / 100) as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::{Rgba, RgbaImage};
+    use planform_sdk::Pose;
+
+    fn picture(width: u32, height: u32, cells: Vec<Cell>, shapes: Vec<Shape>) -> RgbaImage {
+        let grid = Grid::new(width, height, 0.05, Pose::default(), cells).unwrap();
+        let png = Painter::new(&grid).unwrap().png(&Drawing { shapes }).unwrap();
+        image::load_from_memory(&png).unwrap().to_rgba8()
+    }
+
+    #[test]
+    fn small_grids_are_enlarged_and_stand_upright() {
+        let cells = vec![Cell::OCCUPIED, Cell::FREE, Cell::UNKNOWN, Cell::FREE];
+        let red = Shape::Cells { cells: vec![(1, 1), (7, 7)], colour: [255, 0, 0] };
+        let p = picture(2, 2, cells, vec![red]);
+        assert_eq!(p.dimensions(), (32, 32));
+        let grey = |v| Rgba([v, v, v, 255]);
+        assert_eq!(*p.get_pixel(0, 31), grey(OCCUPIED), "the lower left cell is the first");
+        assert_eq!((*p.get_pixel(31, 31), *p.get_pixel(0, 0)), (grey(FREE), grey(UNKNOWN)));
+        assert_eq!(*p.get_pixel(31, 0), Rgba([255, 0, 0, 255]));
+    }
+
+    #[test]
+    fn large_grids_are_bounded_and_keep_thin_walls() {
+        let (width, height) = (9000, 10);
+        let mut cells = vec![Cell::FREE; width * height];
+        (0..height).for_each(|row| cells[row * width + 4501] = Cell::OCCUPIED);
+        let p = picture(width as u32, height as u32, cells, vec![]);
+        assert_eq!(p.width(), 4000);
+        assert_eq!(p.pixels().filter(|p| p.0[0] == OCCUPIED).count() as u32, p.height());
+    }
+
+    #[test]
+    fn areas_have_their_holes() {
+        let square = |a: f64, b: f64| [[a, a], [b, a], [b, b], [a, b]].map(Point::from).to_vec();
+        let polygon = Polygon::new(square(0.0, 6.0), vec![square(2.0, 4.0)]);
+        let area = Shape::Area { polygon, colour: [0, 0, 255] };
+        let p = picture(6, 6, vec![Cell::FREE; 36], vec![area]);
+        assert!(p.get_pixel(8, 8).0[0] < 200 && p.get_pixel(48, 48).0[0] == FREE);
+    }
+
+    #[test]
+    fn shapes_that_are_nowhere_are_left_out() {
+        let segment = Segment::new(Point::new(f64::NAN, 0.0), Point::new(1e300, 1e300));
+        let line = Shape::Line { segment, colour: [255, 0, 0], width: 1.0 };
+        let area = Shape::Area { polygon: Polygon::default(), colour: [255, 0, 0] };
+        let p = picture(1, 1, vec![Cell::FREE], vec![line, area]);
+        assert!(p.pixels().all(|p| p.0[0] == p.0[1]));
+    }
+}

@@ -1,0 +1,51 @@
+//! Whose document is it? Every input adapter is asked, the surest one wins.
+
+use super::Registry;
+use planform_sdk::{Confidence, ErrorKind, InputAdapter, PluginError, Probe, Source};
+
+/// How many of a document's first bytes an adapter is shown.
+const HEAD: usize = 4096;
+
+/// What one input adapter says of a document.
+pub struct Claim<'a> {
+    /// The adapter.
+    pub adapter: &'a dyn InputAdapter,
+    /// How sure it is that the document is its own.
+    pub confidence: Confidence,
+}
+
+impl Registry {
+    /// What each input adapter says of the document, the surest first and equally sure ones in the registry's order.
+    pub fn claims(&self, source: &Source) -> Vec<Claim<'_>> {
+        let head = &source.bytes[..source.bytes.len().min(HEAD)];
+        let probe = Probe { path: &source.path, head };
+        let mut claims: Vec<_> =
+            self.adapters().map(|adapter| Claim { adapter, confidence: adapter.probe(&probe) }).collect();
+        claims.sort_by_key(|c| std::cmp::Reverse(c.confidence.percent));
+        claims
+    }
+
+    /// The input adapter for the document: the one named, or else the surest.
+    pub fn adapter_for(&self, source: &Source, name: Option<&str>) -> Result<&dyn InputAdapter, PluginError> {
+        match name {
+            Some(name) => self.adapter(name).ok_or_else(|| self.no_such_adapter(name)),
+            None => self.surest(source).ok_or_else(|| self.unclaimed()),
+        }
+    }
+
+    fn surest(&self, source: &Source) -> Option<&dyn InputAdapter> {
+        self.claims(source).into_iter().find(|c| c.confidence.percent > 0).map(|c| c.adapter)
+    }
+
+    fn no_such_adapter(&self, name: &str) -> PluginError {
+        let names: Vec<_> = self.adapters().map(|a| a.info().name.as_str()).collect();
+        PluginError::new(ErrorKind::BadOption, format!("there is no input adapter `{name}`"))
+            .advise(format!("there are {}", names.join(", ")))
+    }
+
+    fn unclaimed(&self) -> PluginError {
+        let known: Vec<_> = self.adapters().flat_map(|a| a.info().extensions.iter().cloned()).collect();
+        PluginError::new(ErrorKind::Unsupported, "is no kind of document that planform knows")
+            .advise(format!("it reads {}; `--from` names the adapter to try anyway", known.join(", ")))
+    }
+}
