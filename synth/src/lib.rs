@@ -1,1 +1,32 @@
-//! placeholder
+//! Synthetic buildings with known truth, for tests, benchmarks and first steps.
+//!
+//! [`Building::generate`] draws a building from a seed; [`Building::layout`] is its true layout,
+//! [`Building::clean_grid`] its exact raster, and [`Building::scan`] the map that a robot with a laser would make of
+//! it. The same seed gives the same bytes.
+
+mod building;
+mod corridors;
+mod doors;
+mod draft;
+mod drive;
+mod fixtures;
+mod furniture;
+mod house;
+mod lattice;
+mod obstacles;
+mod params;
+mod partition;
+mod raster;
+mod rng;
+mod scan;
+mod scan_params;
+mod shape;
+mod walls;
+mod wing;
+
+pub use building::Building;
+pub use fixtures::{SimpleParams, corridor_with_rooms, simple, two_rooms};
+pub use params::{BuildingParams, RoomKind, Size};
+pub use raster::{Labels, Outline};
+pub use scan::{RoomView, Scan};
+pub use scan_params::{Laser, Noise, Output, ScanParams};
