@@ -3,6 +3,7 @@
 //! The clustering is DBSCAN (Ester et al. 1996) on the cells' middles. Walls hang together over metres; what hangs
 //! together over less stands alone in a room and is no part of the building.
 
+use super::ReconstructError;
 use super::raster::Mask;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,12 +26,26 @@ impl Default for Clutter {
     }
 }
 
+/// The largest radius in cells: the work grows with its square.
+const MAX_RADIUS: f64 = 25.0;
+
 /// The obstacle cells that are not clutter. `resolution` in metres per cell.
-pub fn remove(obstacles: &Mask, resolution: f64, params: &Clutter) -> Mask {
+pub fn remove(obstacles: &Mask, resolution: f64, params: &Clutter) -> Result<Mask, ReconstructError> {
     if params.extent <= 0.0 {
-        return obstacles.clone();
+        return Ok(obstacles.clone());
     }
-    let clusters = dbscan(obstacles, (params.radius / resolution).max(1.5), params.min_points);
+    let radius = (params.radius / resolution).max(1.5);
+    if radius > MAX_RADIUS {
+        return Err(ReconstructError::Parameter {
+            name: "clutter.radius".into(),
+            value: params.radius,
+            advice: format!(
+                "at {resolution} m per cell give at most {}; is the resolution right?",
+                MAX_RADIUS * resolution
+            ),
+        });
+    }
+    let clusters = dbscan(obstacles, radius, params.min_points);
     let mut boxes = vec![Extent::EMPTY; clusters.count];
     for (column, row) in obstacles.cells() {
         if let Some(c) = clusters.of[row * obstacles.width() + column] {
@@ -38,7 +53,7 @@ pub fn remove(obstacles: &Mask, resolution: f64, params: &Clutter) -> Mask {
         }
     }
     let keep = |i: usize| clusters.of[i].is_some_and(|c| boxes[c].diagonal() * resolution >= params.extent);
-    obstacles.with_bits((0..obstacles.bits().len()).map(keep).collect())
+    Ok(obstacles.with_bits((0..obstacles.bits().len()).map(keep).collect()))
 }
 
 #[derive(Clone, Copy)]
@@ -115,20 +130,20 @@ mod tests {
     #[test]
     fn small_clusters_go_and_walls_stay() {
         let m = mask(&["..........", ".##.......", "..........", "##########"]);
-        let kept = remove(&m, 1.0, &Clutter { radius: 1.0, min_points: 1, extent: 5.0 });
+        let kept = remove(&m, 1.0, &Clutter { radius: 1.0, min_points: 1, extent: 5.0 }).unwrap();
         assert_eq!(kept, mask(&["..........", "..........", "..........", "##########"]));
     }
 
     #[test]
     fn noise_is_clutter() {
         let m = mask(&["#.........", "..........", "##########"]);
-        let kept = remove(&m, 1.0, &Clutter { radius: 1.0, min_points: 2, extent: 0.5 });
+        let kept = remove(&m, 1.0, &Clutter { radius: 1.0, min_points: 2, extent: 0.5 }).unwrap();
         assert_eq!(kept.count(), 10);
     }
 
     #[test]
     fn no_extent_keeps_everything() {
         let m = mask(&["#.#"]);
-        assert_eq!(remove(&m, 1.0, &Clutter { extent: 0.0, ..Clutter::default() }), m);
+        assert_eq!(remove(&m, 1.0, &Clutter { extent: 0.0, ..Clutter::default() }), Ok(m));
     }
 }

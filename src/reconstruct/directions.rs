@@ -40,12 +40,12 @@ const BINS: usize = 1800;
 /// Clusters the segments by angle; by rising angle.
 pub fn cluster(segments: &[Segment], params: &Directions) -> Vec<Direction> {
     let weights = histogram(segments);
-    let modes = modes(segments, &weights, params);
+    let ends = ends(&weights, params.bandwidth);
+    let modes = modes(&weights, &ends, params.merge);
     let mut clusters: Vec<Direction> =
         modes.iter().map(|&angle| Direction { angle, segments: Vec::new() }).collect();
     for segment in segments {
-        let mode = shift(line_angle(segment), &weights, params.bandwidth);
-        if let Some(i) = nearest(&modes, mode) {
+        if let Some(i) = nearest(&modes, ends[bin(line_angle(segment))]) {
             clusters[i].segments.push(*segment);
         }
     }
@@ -76,14 +76,23 @@ pub fn difference(a: f64, b: f64) -> f64 {
     (a - b + PI / 2.0).rem_euclid(PI) - PI / 2.0
 }
 
+fn bin(angle: f64) -> usize {
+    (angle / PI * BINS as f64).round() as usize % BINS
+}
+
 /// Length of the segments at each angle. Long segments know their angle better, so they weigh more.
 fn histogram(segments: &[Segment]) -> Vec<f64> {
     let mut weights = vec![0.0; BINS];
     for s in segments {
-        let bin = (line_angle(s) / PI * BINS as f64).round() as usize % BINS;
-        weights[bin] += s.length();
+        weights[bin(line_angle(s))] += s.length();
     }
     weights
+}
+
+/// For each bin where the mean shift from it ends.
+fn ends(weights: &[f64], bandwidth: f64) -> Vec<f64> {
+    let start = |bin: usize| bin as f64 * PI / BINS as f64;
+    (0..BINS).map(|b| if weights[b] > 0.0 { shift(start(b), weights, bandwidth) } else { start(b) }).collect()
 }
 
 /// Where the mean shift from this angle ends.
@@ -113,18 +122,18 @@ fn shift(start: f64, weights: &[f64], bandwidth: f64) -> f64 {
 }
 
 /// The distinct ends of all shifts, by rising angle; modes that are close are averaged by their weight.
-fn modes(segments: &[Segment], weights: &[f64], params: &Directions) -> Vec<f64> {
+fn modes(weights: &[f64], ends: &[f64], merge: f64) -> Vec<f64> {
     let mut ends: Vec<(f64, f64)> =
-        segments.iter().map(|s| (shift(line_angle(s), weights, params.bandwidth), s.length())).collect();
+        ends.iter().zip(weights).filter(|(_, w)| **w > 0.0).map(|(e, w)| (*e, *w)).collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut groups: Vec<Vec<(f64, f64)>> = Vec::new();
     for end in ends {
         match groups.last_mut() {
-            Some(group) if end.0 - group[group.len() - 1].0 < params.merge => group.push(end),
+            Some(group) if end.0 - group[group.len() - 1].0 < merge => group.push(end),
             _ => groups.push(vec![end]),
         }
     }
-    join_around(&mut groups, params.merge);
+    join_around(&mut groups, merge);
     let mut modes: Vec<f64> = groups.iter().map(|g| mean(g)).collect();
     modes.sort_by(f64::total_cmp);
     modes

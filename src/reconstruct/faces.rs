@@ -212,17 +212,17 @@ pub fn shares(arrangement: &Arrangement, mask: &Mask, resolution: f64) -> Vec<f6
 
 /// The middles of the set cells in a convex ring, metres.
 pub fn set_cells(ring: &[Point], mask: &Mask, resolution: f64) -> Vec<Point> {
-    let middle = |v: usize| (v as f64 + 0.5) * resolution;
-    let rows = (0..mask.height()).filter_map(|row| Some((row, span(ring, middle(row))?)));
-    rows.flat_map(|(row, (from, to))| {
-        let inside = move |column: &usize| (from..=to).contains(&middle(*column));
-        let set = move |column: &usize| mask.get(*column as i64, row as i64);
-        (0..mask.width())
-            .filter(inside)
-            .filter(set)
-            .map(move |column| Point::new(middle(column), middle(row)))
-    })
-    .collect()
+    let middle = |v: i64| (v as f64 + 0.5) * resolution;
+    let first = |from: f64| ((from / resolution - 0.5).ceil() as i64).max(0);
+    let last = |to: f64, side: usize| ((to / resolution - 0.5).floor() as i64).min(side as i64 - 1);
+    let (low, high) = ring.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p.y), h.max(p.y)));
+    let mut cells = Vec::new();
+    for row in first(low)..=last(high, mask.height()) {
+        let Some((from, to)) = span(ring, middle(row)) else { continue };
+        let columns = first(from)..=last(to, mask.width());
+        cells.extend(columns.filter(|&c| mask.get(c, row)).map(|c| Point::new(middle(c), middle(row))));
+    }
+    cells
 }
 
 /// For each row the number of set cells before each column.

@@ -28,32 +28,37 @@ pub fn floor(outline: &Outline, inset: &[f64]) -> Option<Polygon> {
 
 /// Makes floors disjoint: what two of them share goes to the room in whose outline it lies, else to the first.
 pub fn part(floors: &mut [Option<Polygon>], outlines: &[Polygon]) {
-    for a in 0..floors.len() {
-        for b in a + 1..floors.len() {
-            let (Some(p), Some(q)) = (&floors[a], &floors[b]) else { continue };
-            if !boxes_meet(p, q) {
-                continue;
-            }
-            let (p, q) = (to_geo(p), to_geo(q));
-            if !p.intersects(&q) || p.intersection(&q).unsigned_area() < SLIVER * SLIVER {
-                continue;
-            }
-            let p = p.difference(&q.intersection(&to_geo(&outlines[b])));
-            let q = geo::MultiPolygon::new(vec![q]).difference(&p);
-            (floors[a], floors[b]) = (largest(p), largest(q));
+    for (a, b) in neighbours(floors) {
+        let (Some(p), Some(q)) = (&floors[a], &floors[b]) else { continue };
+        let (p, q) = (to_geo(p), to_geo(q));
+        if !p.intersects(&q) || p.intersection(&q).unsigned_area() < SLIVER * SLIVER {
+            continue;
         }
+        let p = p.difference(&q.intersection(&to_geo(&outlines[b])));
+        let q = geo::MultiPolygon::new(vec![q]).difference(&p);
+        (floors[a], floors[b]) = (largest(p), largest(q));
     }
 }
 
-fn boxes_meet(p: &Polygon, q: &Polygon) -> bool {
-    let span = |r: &Polygon, v: fn(&Point) -> f64| {
-        r.exterior.iter().map(v).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)))
-    };
-    let meet = |v: fn(&Point) -> f64| {
-        let (a, b) = (span(p, v), span(q, v));
-        a.0 < b.1 && b.0 < a.1
-    };
-    meet(|p| p.x) && meet(|p| p.y)
+/// The pairs of floors whose boxes meet, the smaller index first, in rising order.
+fn neighbours(floors: &[Option<Polygon>]) -> Vec<(usize, usize)> {
+    let mut boxes: Vec<(usize, [f64; 4])> =
+        floors.iter().enumerate().filter_map(|(i, f)| Some((i, extent(f.as_ref()?)))).collect();
+    boxes.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+    let mut pairs = Vec::new();
+    for (k, (a, p)) in boxes.iter().enumerate() {
+        let beside = boxes[k + 1..].iter().take_while(|(_, q)| q[0] < p[2]);
+        pairs.extend(beside.filter(|(_, q)| q[1] < p[3] && p[1] < q[3]).map(|(b, _)| (*a.min(b), *a.max(b))));
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+/// The box around a polygon: low x, low y, high x, high y.
+fn extent(p: &Polygon) -> [f64; 4] {
+    p.exterior.iter().fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |b, p| {
+        [b[0].min(p.x), b[1].min(p.y), b[2].max(p.x), b[3].max(p.y)]
+    })
 }
 
 /// One side of an outline with the insets of its neighbours.

@@ -75,6 +75,7 @@ pub fn reconstruct(
     params: &Params,
     observer: &mut dyn Observer,
 ) -> Result<Layout, ReconstructError> {
+    params.check()?;
     match params.method {
         Method::Paper => paper::reconstruct(scene, params, observer),
     }

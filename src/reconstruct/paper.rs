@@ -108,7 +108,7 @@ impl Paper<'_> {
         let occupancy = |c: Cell, is: &dyn Fn(u8) -> bool| c.occupancy().is_some_and(is);
         let obstacles = Mask::of_grid(grid, |c| occupancy(c, &|o| o >= limits.obstacle));
         let free = Mask::of_grid(grid, |c| occupancy(c, &|o| o <= limits.free));
-        let walls = clutter::remove(&obstacles, self.resolution, &self.params.clutter);
+        let walls = clutter::remove(&obstacles, self.resolution, &self.params.clutter)?;
         let free = free.or(&obstacles.without(&walls));
         self.draw(Step::Clutter, || drawings::cells(&walls));
         let inner = contour::inner_area(&free, self.resolution, limits);

@@ -3,8 +3,17 @@
 use crate::{Point, Pose};
 use thiserror::Error;
 
-/// The most cells a grid may have: 2^28, about 820 m square at 0.05 m.
-pub const MAX_CELLS: u64 = 1 << 28;
+/// The most cells a grid may have: 2^27, about 580 m square at 0.05 m.
+pub const MAX_CELLS: u64 = 1 << 27;
+
+/// The most columns or rows a grid may have: 65536, about 3.3 km at 0.05 m.
+pub const MAX_SIDE: u32 = 1 << 16;
+
+/// The resolutions a grid may have, metres per cell. Outside of it no building is drawn, and numbers lose digits.
+const RESOLUTIONS: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
+
+/// The farthest that a grid may lie from the map frame's origin, metres.
+const MAX_DISTANCE: f64 = 1e9;
 
 /// What is known of one cell: an occupancy of 0 (free) to 100 (occupied) percent, or nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -59,8 +68,10 @@ pub enum GridError {
         /// Rows.
         height: u32,
     },
-    /// More cells than [`MAX_CELLS`].
-    #[error("the grid is too large: {width} x {height} cells; the most are {MAX_CELLS}")]
+    /// More cells than [`MAX_CELLS`], or a side longer than [`MAX_SIDE`].
+    #[error(
+        "the grid is too large: {width} x {height} cells; the most are {MAX_CELLS} in all and {MAX_SIDE} a side"
+    )]
     TooLarge {
         /// Columns.
         width: u32,
@@ -75,11 +86,11 @@ pub enum GridError {
         /// Cells needed.
         expected: usize,
     },
-    /// The resolution is not a positive number.
-    #[error("the resolution must be a positive number of metres per cell, not {0}")]
+    /// The resolution is no number of metres that a cell can have.
+    #[error("the resolution must be a positive number of metres per cell, from 0.0001 to 1000, not {0}")]
     Resolution(f64),
-    /// The origin is not a finite pose.
-    #[error("the origin must be three finite numbers, not ({}, {}, {})", .0.x, .0.y, .0.yaw)]
+    /// The origin is not a finite pose, or too far away.
+    #[error("the origin must be three finite numbers of at most 1e9 m, not ({}, {}, {})", .0.x, .0.y, .0.yaw)]
     Origin(Pose),
 }
 
@@ -97,10 +108,10 @@ impl Grid {
         if cells.len() != expected {
             return Err(GridError::CellCount { found: cells.len(), expected });
         }
-        if !(resolution.is_finite() && resolution > 0.0) {
+        if !RESOLUTIONS.contains(&resolution) {
             return Err(GridError::Resolution(resolution));
         }
-        if ![origin.x, origin.y, origin.yaw].iter().all(|v| v.is_finite()) {
+        if ![origin.x, origin.y, origin.yaw].iter().all(|v| v.abs() <= MAX_DISTANCE) {
             return Err(GridError::Origin(origin));
         }
         Ok(Self { width, height, resolution, origin, cells })
@@ -112,7 +123,7 @@ impl Grid {
         if cells == 0 {
             return Err(GridError::Empty { width, height });
         }
-        if cells > MAX_CELLS {
+        if cells > MAX_CELLS || width.max(height) > MAX_SIDE {
             return Err(GridError::TooLarge { width, height });
         }
         Ok(cells as usize)
@@ -191,8 +202,9 @@ mod tests {
         let bad = |w, h, r| Grid::new(w, h, r, Pose::default(), vec![Cell::FREE]).unwrap_err();
         assert!(matches!(bad(0, 1, 1.0), GridError::Empty { .. }));
         assert!(matches!(bad(60_000, 60_000, 1.0), GridError::TooLarge { .. }));
+        assert!(matches!(bad(100_000, 1, 1.0), GridError::TooLarge { .. }));
         assert!(matches!(bad(1, 2, 1.0), GridError::CellCount { found: 1, expected: 2 }));
-        for r in [0.0, -0.05, f64::NAN, f64::INFINITY] {
+        for r in [0.0, -0.05, f64::NAN, f64::INFINITY, 1e300, 1e-300] {
             assert!(matches!(bad(1, 1, r), GridError::Resolution(_)));
         }
     }
