@@ -4,5 +4,6 @@
 //! turns the scene into a [`Layout`](planform_sdk::Layout), an exporter writes the layout.
 
 pub mod cli;
+pub mod evaluate;
 pub mod host;
 pub mod reconstruct;

@@ -20,7 +20,7 @@ fn version() {
 
 #[test]
 fn every_verb_has_help_with_an_example() {
-    for verb in ["convert", "inspect", "plugins", "params", "completions", "man"] {
+    for verb in ["convert", "inspect", "evaluate", "plugins", "params", "completions", "man"] {
         let (out, _) = Workshop::empty().does(&format!("{verb} --help"));
         assert!(out.contains(&format!("  planform {verb}")) && out.contains("Example"), "{out}");
     }

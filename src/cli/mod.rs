@@ -2,6 +2,7 @@
 
 mod completions;
 mod convert;
+mod evaluate;
 mod failure;
 mod input;
 mod inspect;
@@ -42,6 +43,7 @@ struct Cli {
 enum Verb {
     Convert(convert::ConvertArgs),
     Inspect(inspect::InspectArgs),
+    Evaluate(evaluate::EvaluateArgs),
     Plugins(plugins::PluginsArgs),
     Params(params::ParamsArgs),
     Completions(completions::CompletionsArgs),
@@ -53,6 +55,7 @@ impl Verb {
         match self {
             Self::Convert(args) => convert::run(args),
             Self::Inspect(args) => inspect::run(args),
+            Self::Evaluate(args) => evaluate::run(args),
             Self::Plugins(args) => plugins::run(args),
             Self::Params(args) => params::run(args),
             Self::Completions(args) => completions::run(args),
