@@ -74,7 +74,7 @@ fn unknown_mode_is_answered_with_the_three() {
 fn pictures_that_cannot_be_had_are_named() {
     for (image, named) in [
         ("gone.pgm", "gone.pgm"),
-        (".", "is not a file"),
+        (".", "is a folder, not a file"),
         ("map.yaml", "map.yaml"),
         ("''", "`image` is empty"),
     ] {
