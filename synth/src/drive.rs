@@ -61,8 +61,10 @@ impl Drive {
         let frame = Frame::around(building.layout(), STEP)?;
         let mut drivable = vec![true; frame.len()];
         let mut room = vec![0; frame.len()];
+        let mut floor = vec![false; frame.len()];
         for r in &building.layout().rooms {
             frame.fill(r.centre.rings(), |i| room[i] = r.id);
+            frame.fill(r.inner.rings(), |i| floor[i] = true);
             if !open.contains(&r.id) {
                 frame.fill(r.centre.rings(), |i| drivable[i] = false);
             }
@@ -74,7 +76,7 @@ impl Drive {
         let ids = building.layout().rooms.iter().map(|r| r.id);
         let corridors = ids.filter(|&id| building.kind(id) == Some(RoomKind::Corridor)).collect();
         let mut drive = Self { corridors, frame, drivable, room, targets: BTreeMap::new(), parent, round };
-        drive.set_targets();
+        drive.set_targets(&floor);
         Ok(drive)
     }
 
@@ -100,10 +102,11 @@ impl Drive {
         Point::new(self.frame.origin.x + column * STEP, self.frame.origin.y + row * STEP)
     }
 
-    /// In each room, the drivable cell nearest to the middle of each square of a coarse grid.
-    fn set_targets(&mut self) {
+    /// In each room, the drivable cell of the floor nearest to the middle of each square of a coarse grid. The core
+    /// of a thick wall keeps clear of everything too, but no robot gets there.
+    fn set_targets(&mut self, floor: &[bool]) {
         let mut best: BTreeMap<(RoomId, i64, i64), (f64, usize)> = BTreeMap::new();
-        for cell in (0..self.room.len()).filter(|&i| self.room[i] > 0 && self.drivable[i]) {
+        for cell in (0..self.room.len()).filter(|&i| floor[i] && self.drivable[i]) {
             let p = self.point(cell);
             let (i, j) = ((p.x / SPACING).floor(), (p.y / SPACING).floor());
             let off = p.distance(Point::new((i + 0.5) * SPACING, (j + 0.5) * SPACING));
@@ -200,7 +203,7 @@ fn distance_to(a: (f64, f64), b: (f64, f64), p: (f64, f64)) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixtures::corridor_with_rooms;
+    use crate::fixtures::{SimpleParams, corridor_with_rooms, simple};
     use crate::obstacles::Gaps;
 
     fn way(open: &[RoomId], most: usize) -> Vec<Point> {
@@ -223,6 +226,17 @@ mod tests {
     fn stops_early() {
         let way = way(&[1, 2, 3, 4, 5], 3);
         assert_eq!((0..5).filter(|&room| visits(&way, room)).count(), 3);
+    }
+
+    #[test]
+    fn starts_on_the_floor_however_thick_the_walls() {
+        let thick = SimpleParams { wall: 0.6, ..SimpleParams::default() };
+        let building = simple(2, 1, &thick);
+        let walls = Obstacles::new(&building, &Gaps { closed: &[], windows: &[] }, &[]);
+        let way = drive(&building, &walls, &[1, 2], 9).unwrap();
+        let [first, second] = [0, 1].map(|room| &building.layout().rooms[room].inner);
+        assert!(first.contains(way[0]), "{:?}", way[0]);
+        assert!(way.iter().any(|&p| second.contains(p)));
     }
 
     #[test]
