@@ -1,5 +1,5 @@
 //! One representative line for each spatial cluster: it has the angle of the cluster's direction and goes through
-//! the median of the segments' middle points.
+//! the middle of the segments' middle points.
 
 use super::collinear::{Collinears, offset};
 use planform_sdk::{Point, Segment};
@@ -80,7 +80,7 @@ pub fn represent(clusters: &[Collinears], params: &Lines) -> Vec<Line> {
 fn line(cluster: &Collinears) -> Line {
     let line = Line {
         angle: cluster.angle,
-        offset: median(&cluster.segments, cluster.angle),
+        offset: interquartile_mean(&cluster.segments, cluster.angle),
         covered: Vec::new(),
         support: cluster.segments.iter().map(Segment::length).sum(),
     };
@@ -92,21 +92,24 @@ fn line(cluster: &Collinears) -> Line {
     Line { covered, ..line }
 }
 
-/// The median offset of the segments' middles, each counted by its length: a wall in many small pieces on one face
-/// and in one piece on the other has its line between them.
-fn median(segments: &[Segment], angle: f64) -> f64 {
+/// The interquartile mean of the offsets of the segments' middles, each counted by its length. The paper has their
+/// median, which lies on one face of a wall, whichever happens to be longer; this is as robust, but lies between two
+/// faces that are about equally long.
+fn interquartile_mean(segments: &[Segment], angle: f64) -> f64 {
     let mut offsets: Vec<(f64, f64)> =
         segments.iter().map(|s| (offset(s.midpoint(), angle), s.length())).collect();
     offsets.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let half = offsets.iter().map(|o| o.1).sum::<f64>() / 2.0;
-    let mut sum = 0.0;
-    for (at, length) in &offsets {
-        sum += length;
-        if sum >= half {
-            return *at;
-        }
+    let total: f64 = offsets.iter().map(|o| o.1).sum();
+    let (low, high) = (total * 0.25, total * 0.75);
+    let (mut end, mut moment, mut weight) = (0.0, 0.0, 0.0);
+    for (at, length) in offsets {
+        let begin = end;
+        end += length;
+        let within = (end.min(high) - begin.max(low)).max(0.0);
+        moment += within * at;
+        weight += within;
     }
-    0.0
+    if weight > 0.0 { moment / weight } else { 0.0 }
 }
 
 /// The union of intervals: disjoint, rising.
@@ -140,6 +143,19 @@ mod tests {
         assert_eq!(line.coverage(2.0, 5.5), 1.5);
         assert_eq!(line.coverage(3.5, 4.5), 0.0);
         assert_eq!(line.coverage(10.0, -10.0), 4.0);
+    }
+
+    #[test]
+    fn a_line_lies_between_the_faces_of_its_wall() {
+        let faces = [[[0.0, 1.0], [8.2, 1.0]], [[0.2, 1.2], [4.0, 1.2]], [[4.2, 1.2], [8.0, 1.2]]];
+        let line = &represent(&[cluster(&faces)], &Lines::default())[0];
+        assert!((line.offset - 1.1).abs() < 0.01, "{}", line.offset);
+    }
+
+    #[test]
+    fn a_stray_segment_does_not_move_a_line() {
+        let wall = [[[0.0, 1.0], [8.0, 1.0]], [[8.5, 1.8], [9.5, 1.8]]];
+        assert_eq!(represent(&[cluster(&wall)], &Lines::default())[0].offset, 1.0);
     }
 
     #[test]
