@@ -67,8 +67,8 @@ impl Gradient {
         (0..self.x.len()).map(|i| self.is_maximum(i, low)).collect()
     }
 
-    /// Whether the gradient is above `low` and largest across the edge. Of two equal neighbours the one towards
-    /// smaller coordinates gives way, so that an edge between two cells is marked once.
+    /// Whether the gradient is above `low` and largest across the edge. Of two equal neighbours the one in the open
+    /// gives way: an edge between two cells is marked once, on the obstacle's side whichever way the map lies.
     fn is_maximum(&self, i: usize, low: f64) -> bool {
         let (column, row) = ((i % self.width) as i64, (i / self.width) as i64);
         let here = self.magnitude(column, row);
@@ -76,14 +76,14 @@ impl Gradient {
             return false;
         }
         let (gx, gy) = (f64::from(self.x[i]), f64::from(self.y[i]));
+        // The step towards the open, in one of the eight directions.
+        let (sx, sy) = (gx.signum() as i64, gy.signum() as i64);
         let (dx, dy) = if gy.abs() < gx.abs() * TAN_22_5 {
-            (1, 0)
+            (sx, 0)
         } else if gx.abs() < gy.abs() * TAN_22_5 {
-            (0, 1)
-        } else if (gx > 0.0) == (gy > 0.0) {
-            (1, 1)
+            (0, sy)
         } else {
-            (-1, 1)
+            (sx, sy)
         };
         here > self.magnitude(column - dx, row - dy) && here >= self.magnitude(column + dx, row + dy)
     }
@@ -144,6 +144,17 @@ mod tests {
         let edges = detect(&mask(&rows), &Edges::default());
         let rows_with_edges: Vec<usize> = (0..rows.len()).filter(|&r| edges.get(10, r as i64)).collect();
         assert_eq!(rows_with_edges.len(), 2);
+    }
+
+    #[test]
+    fn a_mirrored_map_has_mirrored_edges() {
+        let rows = ["........", "..####..", "..######", "..##....", "..##..##", ".#....##", "........"];
+        let mirrored: Vec<String> = rows.iter().map(|r| r.chars().rev().collect()).collect();
+        let mirrored: Vec<&str> = mirrored.iter().map(String::as_str).collect();
+        let (a, b) = (mask(&rows), mask(&mirrored));
+        let (a, b) = (detect(&a, &Edges::default()), detect(&b, &Edges::default()));
+        assert!(a.count() > 0);
+        assert!(a.cells().all(|(c, r)| b.get(7 - c as i64, r as i64)) && a.count() == b.count());
     }
 
     #[test]
