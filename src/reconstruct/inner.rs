@@ -7,6 +7,9 @@ use super::outline::Outline;
 use geo::{Area, BooleanOps, Intersects};
 use planform_sdk::{Point, Polygon};
 
+/// What is nearer than this touches, metres.
+const TOUCH: f64 = 1e-6;
+
 /// A piece thinner than this is an artefact of the cutting, metres.
 const SLIVER: f64 = 1e-3;
 
@@ -126,7 +129,8 @@ fn largest(polygons: geo::MultiPolygon) -> Option<Polygon> {
     (exterior.len() > 2).then(|| Polygon::new(exterior, holes))
 }
 
-/// Drops the repeated last point and every vertex that lies on the line between its neighbours.
+/// Drops the repeated last point, every vertex that lies on the line between its neighbours, and every spike: where
+/// two strips' ends nearly meet, the cutting leaves rings that run out and back along the same line.
 fn clean(mut ring: Vec<Point>) -> Vec<Point> {
     if ring.len() > 1 && ring.first() == ring.last() {
         ring.pop();
@@ -136,9 +140,10 @@ fn clean(mut ring: Vec<Point>) -> Vec<Point> {
         let n = ring.len();
         let (a, b, c) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
         let twice_area = ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)).abs();
-        if twice_area <= 1e-6 * a.distance(c).max(1e-6) {
+        let longest = a.distance(b).max(b.distance(c)).max(a.distance(c));
+        if twice_area <= TOUCH * longest {
             ring.remove(i);
-            i = i.saturating_sub(1);
+            i = i.saturating_sub(2);
         } else {
             i += 1;
         }
@@ -183,6 +188,15 @@ mod tests {
     fn walls_without_floor_between_are_no_room() {
         let thin = outline(&[[0.0, 0.0], [4.0, 0.0], [4.0, 0.2], [0.0, 0.2]]);
         assert_eq!(floor(&thin, &[0.15; 4]), None);
+    }
+
+    #[test]
+    fn spikes_and_hairlines_are_cleaned_away() {
+        let ring = |points: &[[f64; 2]]| points.iter().map(|&p| p.into()).collect::<Vec<Point>>();
+        let spike = ring(&[[0.0, 0.0], [2.0, 0.0], [2.0, 5.0], [2.0 + 1e-9, 0.0], [4.0, 0.0], [4.0, 4.0]]);
+        assert_eq!(clean(spike), ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0]]));
+        let hairline = ring(&[[1.0, 1.0], [3.0, 2.0], [1.0 + 1e-9, 1.0], [0.5, 3.0]]);
+        assert_eq!(clean(hairline).len(), 2);
     }
 
     #[test]
