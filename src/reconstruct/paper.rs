@@ -224,7 +224,7 @@ impl Paper<'_> {
         let walls = &self.params.walls;
         let along = built.runs.iter().zip(&built.profiles);
         let gaps: Vec<Gap> = along.flat_map(|(r, p)| openings::openings(r, p, walls)).collect();
-        let partial = partial::partial_rooms(&built.clusters.of, &built.clusters.partial, built.floors.len());
+        let partial = partial::partial_rooms(&built.clusters, &built.runs, &self.params.partial);
         let scale = self.scale;
         self.draw(Step::Walls, || {
             let rooms = built.floors.iter().zip(partial.iter().copied());

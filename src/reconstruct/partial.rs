@@ -5,6 +5,7 @@ use super::collinear::offset;
 use super::directions::{difference, line_angle};
 use super::faces::{Arrangement, Edge, set_cells};
 use super::lines::Line;
+use super::paper::Clusters;
 use super::raster::Mask;
 use planform_sdk::{Point, Segment};
 use schemars::JsonSchema;
@@ -99,13 +100,14 @@ pub fn partial_faces(
     partial
 }
 
-/// For each room whether it has a partial face.
-pub fn partial_rooms(of: &[Option<usize>], partial: &[bool], rooms: usize) -> Vec<bool> {
-    let mut result = vec![false; rooms];
-    for (room, _) in of.iter().zip(partial).filter(|(_, p)| **p) {
-        if let Some(room) = *room {
-            result[room] = true;
-        }
+/// For each room whether it has a partial face or a frontier. A face within a wall joins its room late, and can bring
+/// a frontier that no partial face has.
+pub fn partial_rooms(clusters: &Clusters, runs: &[Run], params: &Partial) -> Vec<bool> {
+    let mut result = vec![false; clusters.outlines.len()];
+    let faces = clusters.of.iter().zip(&clusters.partial).filter(|(_, p)| **p).map(|(room, _)| *room);
+    let frontiers = runs.iter().filter(|r| is_frontier(r, params)).flat_map(|r| r.rooms);
+    for room in faces.chain(frontiers).flatten() {
+        result[room] = true;
     }
     result
 }
