@@ -29,7 +29,7 @@ mod walls;
 
 pub use affinity::Affinity;
 pub use clutter::Clutter;
-pub use collinear::Collinear;
+pub use collinear::{Collinear, Linkage};
 pub use contour::Contour;
 pub use directions::Directions;
 pub use edges::Edges;

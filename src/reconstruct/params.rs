@@ -22,7 +22,7 @@ use std::ops::RangeInclusive;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Which method reconstructs: `paper` is Algorithm 1 of the paper to the letter.
+    /// Which method reconstructs: `paper` is Algorithm 1 of the paper.
     pub method: Method,
     /// How isolated obstacle cells are found and removed.
     pub clutter: Clutter,
@@ -154,7 +154,10 @@ mod tests {
 
     #[test]
     fn what_is_out_of_range_is_named() {
-        let params = Params { collinear: Collinear { distance: f64::NAN }, ..Params::default() };
+        let params = Params {
+            collinear: Collinear { distance: f64::NAN, ..Collinear::default() },
+            ..Params::default()
+        };
         let message = params.check().unwrap_err().to_string();
         assert_eq!(message, "parameter `collinear.distance` cannot be NaN; give a number from 0.001 to 100");
     }
