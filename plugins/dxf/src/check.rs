@@ -1,16 +1,16 @@
 //! Refuses layouts that would make a broken drawing.
 
-use planform_sdk::{ErrorKind, Layout, PluginError, Point, Polygon, Pose, Room, Segment};
+use planform_sdk::{Boundary, ErrorKind, Layout, PluginError, Point, Polygon, Pose, Segment};
 
 /// The largest number written, metres: at this distance a number still has tenths of a millimetre.
 const LARGEST: f64 = 1e12;
 
 type Checked = Result<(), PluginError>;
 
-/// Checks every number of the layout, and that each room has proper rings. `ring` gives the polygon that is drawn.
-pub fn check(layout: &Layout, ring: impl Fn(&Room) -> &Polygon) -> Checked {
+/// Checks every number of the layout, and that each room has proper rings. The outline `boundary` is drawn.
+pub fn check(layout: &Layout, boundary: Boundary) -> Checked {
     for room in &layout.rooms {
-        polygon(ring(room), &format!("room {}", room.id))?;
+        polygon(boundary.of(room), &format!("room {}", room.id))?;
     }
     for (i, wall) in layout.walls.iter().enumerate() {
         segment(&wall.line, || format!("wall {}", i + 1))?;
@@ -80,7 +80,7 @@ mod tests {
     }
 
     fn complaint(layout: &Layout) -> String {
-        check(layout, |r| &r.inner).unwrap_err().to_string()
+        check(layout, Boundary::Inner).unwrap_err().to_string()
     }
 
     #[test]
@@ -102,6 +102,6 @@ mod tests {
 
     #[test]
     fn a_sound_layout_passes() {
-        assert!(check(&room(&[[0.0, 0.0], [1e6, 0.0], [1e6, 1e6]]), |r| &r.inner).is_ok());
+        assert!(check(&room(&[[0.0, 0.0], [1e6, 0.0], [1e6, 1e6]]), Boundary::Inner).is_ok());
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::entity::Entity;
 use crate::{annotations, rooms, walls};
-use planform_sdk::{Layout, Point, Polygon, Room};
+use planform_sdk::{Boundary, Layout, Point};
 
 /// The entities of a drawing and their bounds.
 pub struct Drawing {
@@ -12,10 +12,10 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// The drawing of a layout. `ring` gives the polygon that is drawn of a room.
-    pub fn of(layout: &Layout, ring: impl Fn(&Room) -> &Polygon) -> Self {
+    /// The drawing of a layout with this outline of every room.
+    pub fn of(layout: &Layout, boundary: Boundary) -> Self {
         let mut entities: Vec<_> =
-            layout.rooms.iter().flat_map(|room| rooms::draw(room, ring(room))).collect();
+            layout.rooms.iter().flat_map(|room| rooms::draw(room, boundary.of(room))).collect();
         entities.extend(walls::draw(layout));
         entities.extend(layout.openings.iter().map(annotations::opening));
         entities.extend(layout.frontiers.iter().map(annotations::frontier));

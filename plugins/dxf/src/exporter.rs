@@ -4,9 +4,7 @@ use crate::check::check;
 use crate::drawing::Drawing;
 use crate::file::file;
 use crate::version::Version;
-use planform_sdk::{
-    Document, Exporter, OptionKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo, Polygon, Room,
-};
+use planform_sdk::{Boundary, Document, Exporter, OptionSpec, Options, PluginError, PluginInfo};
 use std::io::Write;
 
 /// The exporter `dxf`: drawings for CAD programs.
@@ -45,7 +43,7 @@ impl Exporter for Dxf {
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<(), PluginError> {
-        let ring = boundary(options);
+        let ring = Boundary::chosen(options);
         check(document.layout, ring)?;
         let drawing = Drawing::of(document.layout, ring);
         out.write_all(&file(&drawing, version(options)))?;
@@ -58,13 +56,6 @@ fn version(options: &Options) -> Version {
     Version::ALL.into_iter().find(named).unwrap_or(Version::DEFAULT)
 }
 
-fn boundary(options: &Options) -> fn(&Room) -> &Polygon {
-    match options.text("boundary") {
-        Some("centre") => |room| &room.centre,
-        _ => |room| &room.inner,
-    }
-}
-
 fn info() -> PluginInfo {
     PluginInfo {
         name: "dxf".into(),
@@ -74,27 +65,13 @@ fn info() -> PluginInfo {
         extensions: vec!["dxf".into()],
         media_types: vec!["image/vnd.dxf".into(), "application/dxf".into()],
         options: vec![
-            choice(
+            OptionSpec::choice(
                 "version",
                 "DXF version; R2000 is the oldest with a unit and opens nearly everywhere",
                 &Version::ALL.map(Version::name),
                 Version::DEFAULT.name(),
             ),
-            choice(
-                "boundary",
-                "rooms along the walls' inner faces or their centre lines",
-                &["inner", "centre"],
-                "inner",
-            ),
+            Boundary::option(),
         ],
-    }
-}
-
-fn choice(name: &str, help: &str, words: &[&str], default: &str) -> OptionSpec {
-    OptionSpec {
-        name: name.into(),
-        help: help.into(),
-        kind: OptionKind::Choice(words.iter().map(|w| (*w).to_owned()).collect()),
-        default: Some(OptionValue::Text(default.into())),
     }
 }

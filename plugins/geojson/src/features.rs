@@ -3,7 +3,7 @@
 use crate::frame::Frame;
 use geojson::{Feature, Geometry, GeometryValue, feature::Id};
 use planform_sdk::{
-    ErrorKind, Frontier, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon, Pose,
+    Boundary, ErrorKind, Frontier, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon, Pose,
     RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall, ring_signed_area,
 };
 use serde_json::{Value, json};
@@ -12,9 +12,9 @@ type Made = Result<Feature, PluginError>;
 
 /// All features: rooms, walls, openings, frontiers, lines (if asked for), texts, symbols.
 pub fn all(layout: &Layout, frame: &Frame, options: &Options) -> Result<Vec<Feature>, PluginError> {
-    let centre = options.text("boundary") == Some("centre");
+    let boundary = Boundary::chosen(options);
     let lines = if options.flag("lines") { layout.lines.as_slice() } else { &[] };
-    let rooms = layout.rooms.iter().map(|r| room(r, centre, frame));
+    let rooms = layout.rooms.iter().map(|r| room(r, boundary, frame));
     let walls = numbered(&layout.walls).map(|(n, w)| wall(n, w, frame));
     let openings = numbered(&layout.openings).map(|(n, o)| opening(n, o, frame));
     let frontiers = numbered(&layout.frontiers).map(|(n, f)| frontier(n, f, frame));
@@ -29,14 +29,13 @@ fn numbered<T>(items: &[T]) -> impl Iterator<Item = (usize, &T)> {
     (1..).zip(items)
 }
 
-fn room(room: &Room, centre: bool, frame: &Frame) -> Made {
+fn room(room: &Room, boundary: Boundary, frame: &Frame) -> Made {
     let state = match room.state {
         RoomState::Complete => "complete",
         RoomState::Partial => "partial",
     };
-    let outline = if centre { &room.centre } else { &room.inner };
     let id = format!("room-{}", room.id);
-    let geometry = polygon(outline, frame).map_err(|e| inside(&id, e));
+    let geometry = polygon(boundary.of(room), frame).map_err(|e| inside(&id, e));
     let properties = json!({
         "kind": "room", "room": room.id, "name": room.name, "state": state, "area": measure(room.area()),
     });

@@ -13,6 +13,7 @@
 //! The crate has no opinion on formats and no knowledge of the reconstruction.
 
 mod adapter;
+mod boundary;
 mod error;
 mod exporter;
 mod geometry;
@@ -22,6 +23,7 @@ mod options;
 mod scene;
 
 pub use adapter::{Confidence, InputAdapter, Probe, Source};
+pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
 pub use exporter::{Document, Exporter};
 pub use geometry::{Point, Polygon, Pose, Segment, ring_signed_area};

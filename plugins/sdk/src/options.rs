@@ -70,6 +70,22 @@ pub enum OptionValue {
 pub struct Options(BTreeMap<String, OptionValue>);
 
 impl OptionSpec {
+    /// An option of one of these words.
+    pub fn choice(name: &str, help: &str, words: &[&str], default: &str) -> Self {
+        let kind = OptionKind::Choice(words.iter().map(|w| (*w).to_owned()).collect());
+        Self::new(name, help, kind, Some(OptionValue::Text(default.into())))
+    }
+
+    /// An option of yes or no.
+    pub fn flag(name: &str, help: &str, default: bool) -> Self {
+        Self::new(name, help, OptionKind::Flag, Some(OptionValue::Flag(default)))
+    }
+
+    /// An option of this kind.
+    pub fn new(name: &str, help: &str, kind: OptionKind, default: Option<OptionValue>) -> Self {
+        Self { name: name.into(), help: help.into(), kind, default }
+    }
+
     /// Checks and reads a value as the user typed it.
     pub fn parse(&self, value: &str) -> Result<OptionValue, PluginError> {
         match &self.kind {

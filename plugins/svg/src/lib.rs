@@ -36,7 +36,7 @@ mod walls;
 use element::{layer, number, title, with_text};
 use picture::Part;
 use planform_sdk::{
-    Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, PluginInfo, Point, Scene,
+    Boundary, Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, PluginInfo, Point, Scene,
 };
 use sheet::Sheet;
 use std::io::Write;
@@ -138,10 +138,10 @@ fn paper(sheet: &Sheet) -> Group {
 
 /// The layers over the grid, from the bottom.
 fn layers(layout: &Layout, options: &Options, sheet: &Sheet) -> Vec<Group> {
-    let centre = options.text("boundary") == Some("centre");
+    let boundary = Boundary::chosen(options);
     let labels = options.flag("labels");
     let mut layers = vec![
-        rooms::draw(layout, centre, sheet),
+        rooms::draw(layout, boundary, sheet),
         walls::draw(layout, sheet),
         walls::open(layout, sheet),
         walls::frontiers(layout, sheet),
@@ -149,7 +149,7 @@ fn layers(layout: &Layout, options: &Options, sheet: &Sheet) -> Vec<Group> {
         notes::texts(layout, labels, sheet),
     ];
     if labels {
-        layers.push(rooms::label(layout, centre, sheet));
+        layers.push(rooms::label(layout, boundary, sheet));
     }
     layers.push(notes::scale(sheet));
     layers

@@ -3,7 +3,7 @@
 use crate::element::{layer, legal, number, title, with_text};
 use crate::sheet::Sheet;
 use crate::spot::roomiest;
-use planform_sdk::{Layout, Point, Polygon, Room, RoomId, RoomState};
+use planform_sdk::{Boundary, Layout, Point, Polygon, Room, RoomId, RoomState};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use svg::node::element::{Element, Group, Path};
@@ -23,17 +23,12 @@ const AREA_LINE: f64 = 0.75;
 /// Height of both lines, in ems of the name's.
 const LINES: f64 = 2.2;
 
-/// Which of a room's two outlines is drawn.
-pub fn outline(room: &Room, centre: bool) -> &Polygon {
-    if centre { &room.centre } else { &room.inner }
-}
-
 /// The layer `rooms`: one path for each, filled so that neighbours differ.
-pub fn draw(layout: &Layout, centre: bool, sheet: &Sheet) -> Group {
+pub fn draw(layout: &Layout, boundary: Boundary, sheet: &Sheet) -> Group {
     let fills = fills(layout);
     let paths = layout.rooms.iter().map(|room| {
         let fill = fills.get(&room.id).copied().unwrap_or_default();
-        path(room, outline(room, centre), fill, sheet)
+        path(room, boundary.of(room), fill, sheet)
     });
     paths.fold(layer("rooms"), Group::add)
 }
@@ -101,12 +96,8 @@ fn neighbours(layout: &Layout) -> BTreeMap<RoomId, BTreeSet<RoomId>> {
 }
 
 /// The layer `labels`: name or number, and area, as large as the room allows.
-pub fn label(layout: &Layout, centre: bool, sheet: &Sheet) -> Group {
-    layout
-        .rooms
-        .iter()
-        .filter_map(|r| label_one(r, outline(r, centre), sheet))
-        .fold(layer("labels"), Group::add)
+pub fn label(layout: &Layout, boundary: Boundary, sheet: &Sheet) -> Group {
+    layout.rooms.iter().filter_map(|r| label_one(r, boundary.of(r), sheet)).fold(layer("labels"), Group::add)
 }
 
 fn label_one(room: &Room, outline: &Polygon, sheet: &Sheet) -> Option<Group> {
