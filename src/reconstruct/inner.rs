@@ -4,7 +4,7 @@
 //! are added where the face lies beyond the line, and strips of wall taken away where it lies before it.
 
 use super::outline::Outline;
-use geo::{Area, BooleanOps, Intersects};
+use geo::{Area, BooleanOps, Intersects, Validation};
 use planform_sdk::{Point, Polygon};
 
 /// What is nearer than this touches, metres.
@@ -120,8 +120,23 @@ fn to_geo(p: &Polygon) -> geo::Polygon {
     geo::Polygon::new(ring(&p.exterior), p.holes.iter().map(|h| ring(h)).collect())
 }
 
+/// How often a polygon that cleaning made invalid is cut at its crossings and cleaned again.
+const REPAIRS: usize = 4;
+
 /// The largest polygon, cleaned of vertices that bend nothing.
 fn largest(polygons: geo::MultiPolygon) -> Option<Polygon> {
+    let mut floor = largest_cleaned(polygons)?;
+    for _ in 0..REPAIRS {
+        let polygon = to_geo(&floor);
+        if polygon.is_valid() {
+            return Some(floor);
+        }
+        floor = largest_cleaned(geo::unary_union(&[polygon]))?;
+    }
+    to_geo(&floor).is_valid().then_some(floor)
+}
+
+fn largest_cleaned(polygons: geo::MultiPolygon) -> Option<Polygon> {
     let largest = polygons.0.into_iter().max_by(|a, b| a.unsigned_area().total_cmp(&b.unsigned_area()))?;
     let ring = |r: &geo::LineString| clean(r.coords().map(|c| Point::new(c.x, c.y)).collect());
     let exterior = ring(largest.exterior());
