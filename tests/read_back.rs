@@ -1,0 +1,200 @@
+//! What the program writes, read back by independent programs: GDAL, ezdxf, resvg.
+
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
+
+mod accuracy_support;
+mod cli_support;
+
+use accuracy_support::layout_of;
+use cli_support::{FREE, UNKNOWN, WALL, Workshop, pgm, text};
+use planform_sdk::{Grid, Layout, Point, Room, ring_signed_area};
+use planform_synth::{Building, BuildingParams, ScanParams, Size};
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{self, roxmltree};
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Floors, by which most readers count and measure.
+const INNER: fn(&Room) -> f64 = |room| room.inner.area();
+/// Outlines along the centre lines of the walls.
+const CENTRE: fn(&Room) -> f64 = |room| room.centre.area();
+
+/// A folder with the map that a robot made of an office, and the layout of that map.
+fn office() -> (Workshop, Layout) {
+    let building = Building::generate(4, &BuildingParams::of_size(Size::Office));
+    let grid = building.scan(&ScanParams::default()).unwrap().grid;
+    let w = Workshop::empty();
+    w.write("office.pgm", picture(&grid));
+    let origin = grid.origin();
+    let yaml = format!(
+        "image: office.pgm\nresolution: {}\norigin: [{}, {}, {}]\nnegate: 0\noccupied_thresh: 0.65\n\
+         free_thresh: 0.196\n",
+        grid.resolution(),
+        origin.x,
+        origin.y,
+        origin.yaw
+    );
+    w.write("office.yaml", yaml);
+    let layout = layout_of(grid);
+    assert!(layout.rooms.len() >= 10, "{} rooms", layout.rooms.len());
+    (w, layout)
+}
+
+fn picture(grid: &Grid) -> Vec<u8> {
+    pgm(grid.width(), grid.height(), |x, y| {
+        match grid.cell(x.into(), i64::from(grid.height() - 1 - y)).occupancy() {
+            None => UNKNOWN,
+            Some(percent) if percent >= 65 => WALL,
+            Some(_) => FREE,
+        }
+    })
+}
+
+/// Fails unless there are as many areas as rooms, and each is within 0.1 % of its room's.
+fn same_areas(found: &[f64], layout: &Layout, area: fn(&Room) -> f64) {
+    assert_eq!(found.len(), layout.rooms.len());
+    for (found, room) in found.iter().zip(&layout.rooms) {
+        let expected = area(room);
+        assert!((found / expected - 1.0).abs() < 1e-3, "room {}: {found} for {expected} m2", room.id);
+    }
+}
+
+/// Runs another program, which must succeed; its standard output.
+fn run(program: &str, arguments: &[&str], file: &Path, install: &str) -> String {
+    let output = Command::new(program).args(arguments).arg(file).output();
+    let output = output.unwrap_or_else(|e| panic!("this test needs `{program}` ({e}): {install}"));
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert!(output.status.success() && err.is_empty(), "{program}: {err}");
+    out
+}
+
+/// The areas of the rooms as GDAL measures them, in the rooms' order. `measure` is an SQL expression.
+fn ogr_areas(file: &Path, layer: &str, measure: &str) -> Vec<f64> {
+    let sql = format!("SELECT {measure} AS a FROM {layer} WHERE kind = 'room' ORDER BY room");
+    let listing =
+        run("ogrinfo", &["-q", "-dialect", "SQLITE", "-sql", &sql], file, "apt-get install gdal-bin");
+    let values = listing.lines().filter_map(|l| l.trim().strip_prefix("a (Real) = "));
+    values.map(|v| v.parse().unwrap()).collect()
+}
+
+#[test]
+fn gdal_reads_the_geojson() {
+    let (w, layout) = office();
+    for (boundary, area) in [("inner", INNER), ("centre", CENTRE)] {
+        w.does(&format!("convert office.yaml -o {boundary}.geojson --set boundary={boundary}"));
+        let file = w.path(&format!("{boundary}.geojson"));
+        same_areas(&ogr_areas(&file, boundary, "ST_Area(geometry)"), &layout, area);
+    }
+}
+
+#[test]
+fn gdal_finds_the_anchored_geojson_on_the_earth() {
+    let (w, layout) = office();
+    w.does("convert office.yaml -o earth.geojson --anchor 48.1374,11.5755,30");
+    let file = w.path("earth.geojson");
+    // UTM zone 32, whose scale here is 0.99965: areas are 0.07 % too small.
+    let utm = "ST_Area(ST_Transform(geometry, 32632)) / (0.99965 * 0.99965)";
+    same_areas(&ogr_areas(&file, "earth", utm), &layout, INNER);
+    let summary = run("ogrinfo", &["-so", "-al"], &file, "apt-get install gdal-bin");
+    assert!(summary.contains("WGS 84") && summary.contains("Extent: (11.57"), "{summary}");
+}
+
+/// What the auditing script of the DXF plugin says of these files.
+fn audited(files: &[PathBuf]) -> Vec<Value> {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("plugins/dxf/tests/audit.py");
+    let output = Command::new("python3").arg(script).args(files).output();
+    let output =
+        output.unwrap_or_else(|e| panic!("this test needs `python3` ({e}): apt-get install python3"));
+    // Without ezdxf the script says how to get it.
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn ezdxf_reads_every_version_of_the_dxf() {
+    let (w, layout) = office();
+    let versions = ["R12", "R2000", "R2013", "R2018"];
+    let files = versions.map(|version| {
+        w.does(&format!("convert office.yaml -o {version}.dxf --set dxf.version={version}"));
+        w.path(&format!("{version}.dxf"))
+    });
+    let reports = audited(&files);
+    assert_eq!(reports.len(), versions.len());
+    for (version, report) in versions.iter().zip(reports) {
+        assert_eq!(report["version"], *version);
+        assert_eq!(report["errors"], Value::Array(vec![]), "{version}");
+        assert_eq!(report["fixes"], Value::Array(vec![]), "{version}");
+        let area = |r: &Room| report["rooms"][r.id.to_string()]["area"].as_f64().unwrap();
+        assert_eq!(report["rooms"].as_object().unwrap().len(), layout.rooms.len(), "{version}");
+        same_areas(&layout.rooms.iter().map(area).collect::<Vec<_>>(), &layout, INNER);
+    }
+}
+
+/// The rings of path data that has only M, L and Z.
+fn rings(data: &str) -> Vec<Vec<Point>> {
+    let point = |text: &str| {
+        let (x, y) = text.split_once(' ').unwrap();
+        Point::new(x.parse().unwrap(), y.parse().unwrap())
+    };
+    let ring = |text: &str| text.trim_start_matches('M').split('L').map(point).collect();
+    data.split_terminator('Z').map(ring).collect()
+}
+
+/// Pixels per metre of a rendered drawing.
+const PIXELS: f64 = 20.0;
+
+fn rendered(drawing: &str, width: f64) -> Pixmap {
+    let tree = usvg::Tree::from_str(drawing, &usvg::Options::default()).unwrap();
+    let scale = (width * PIXELS) as f32 / tree.size().width();
+    let side = |length: f32| (length * scale).ceil() as u32;
+    let mut pixmap = Pixmap::new(side(tree.size().width()), side(tree.size().height())).unwrap();
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
+    pixmap
+}
+
+#[test]
+fn resvg_draws_the_svg() {
+    let (w, layout) = office();
+    w.does("convert office.yaml -o office.svg --set labels=false");
+    let drawing = text(&w.read("office.svg"));
+    let xml = roxmltree::Document::parse(&drawing).unwrap();
+    let is_room = |n: &roxmltree::Node| n.attribute("class").is_some_and(|c| c.starts_with("room "));
+    let paths: Vec<_> = xml.descendants().filter(is_room).map(|n| n.attribute("d").unwrap()).collect();
+    // y runs down: exteriors are clockwise.
+    let area = |data: &&str| rings(data).iter().map(|r| -ring_signed_area(r)).sum();
+    same_areas(&paths.iter().map(area).collect::<Vec<_>>(), &layout, INNER);
+
+    let numbers = |name| -> Vec<f64> {
+        let value = xml.root_element().attribute(name).unwrap();
+        value.split(' ').map(|n| n.parse().unwrap()).collect()
+    };
+    let (view, origin) = (numbers("viewBox"), numbers("data-origin"));
+    let pixmap = rendered(&drawing, view[2]);
+    let colour = |p: Point| {
+        let (x, y) = ((p.x - origin[0]) * PIXELS, (origin[1] - p.y) * PIXELS);
+        let c = pixmap.pixel(x as u32, y as u32).unwrap();
+        [c.red(), c.green(), c.blue()]
+    };
+    let dark = layout.walls.iter().filter(|w| w.weight > 0.95 && w.thickness > 0.15);
+    let dark: Vec<_> = dark.map(|w| colour(w.line.midpoint())).collect();
+    assert!(dark.iter().filter(|c| c.iter().all(|&v| v < 0x80)).count() * 10 >= dark.len() * 8, "{dark:?}");
+    let in_room = layout.rooms.iter().map(|r| (r.id, spot(r)));
+    for (id, c) in in_room.filter_map(|(id, p)| Some((id, colour(p?)))) {
+        assert!(c != [255; 3] && c.iter().all(|&v| v > 0xa0), "room {id} is {c:?}");
+    }
+}
+
+/// A point of the room with a metre of floor around it, if there is one.
+fn spot(room: &Room) -> Option<Point> {
+    let around = |p: Point| {
+        (0..16).all(|i| {
+            let (sin, cos) = (f64::from(i) * std::f64::consts::TAU / 16.0).sin_cos();
+            [0.3, 0.6, 1.0].iter().all(|r| room.inner.contains(Point::new(p.x + r * cos, p.y + r * sin)))
+        })
+    };
+    let ring = &room.inner.exterior;
+    let pairs = ring.iter().flat_map(|&a| ring.iter().map(move |&b| a.midpoint(b)));
+    pairs.into_iter().find(|&p| room.inner.contains(p) && around(p))
+}
