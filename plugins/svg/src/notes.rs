@@ -65,7 +65,7 @@ pub fn scale(sheet: &Sheet) -> Group {
     label.assign("y", number(corner.y + 1.2 * unit));
     let part = |i: u8| {
         Rectangle::new()
-            .set("class", if i % 2 == 0 { "bar dark" } else { "bar light" })
+            .set("class", if i.is_multiple_of(2) { "bar dark" } else { "bar light" })
             .set("x", number(corner.x + f64::from(i) * length / 4.0))
             .set("y", number(corner.y))
             .set("width", number(length / 4.0))
