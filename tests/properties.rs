@@ -3,6 +3,9 @@
 //! The segments are found in a random order (from a fixed seed), so a map that lies otherwise gives another sample of
 //! them. How much that may change is said at each test.
 
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
+
 mod accuracy_support;
 
 use accuracy_support::{coverage, for_seeds, layout_of, shared, to_geo};

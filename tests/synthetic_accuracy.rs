@@ -2,6 +2,9 @@
 //!
 //! To see a building: `cargo run -p planform-synth -- --help`, then `planform convert` with `--debug-dir`.
 
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
+
 mod accuracy_support;
 
 use accuracy_support::{centres, coverage, for_seeds, layout_of};
