@@ -86,6 +86,8 @@ fn gdal_reads_the_geojson() {
         w.does(&format!("convert office.yaml -o {boundary}.geojson --set boundary={boundary}"));
         let file = w.path(&format!("{boundary}.geojson"));
         same_areas(&ogr_areas(&file, boundary, "ST_Area(geometry)"), &layout, area);
+        let valid = ogr_areas(&file, boundary, "1.0 * ST_IsValid(geometry)");
+        assert_eq!(valid, vec![1.0; layout.rooms.len()], "{boundary}");
     }
 }
 

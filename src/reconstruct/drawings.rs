@@ -13,6 +13,7 @@ const GREEN: [u8; 3] = [0, 150, 60];
 const RED: [u8; 3] = [210, 30, 30];
 const YELLOW: [u8; 3] = [240, 200, 40];
 const BLACK: [u8; 3] = [0, 0, 0];
+const BLUE: [u8; 3] = [40, 90, 220];
 const GREY: [u8; 3] = [150, 150, 150];
 
 /// Metres from the grid's corner to cells.
@@ -62,7 +63,7 @@ impl Scale {
         Drawing { shapes: lines.iter().map(|&s| self.line(s, RED, 1.0)).collect() }
     }
 
-    /// The faces' edges; inner faces filled, the partial ones in grey.
+    /// The faces' edges; inner faces filled, the partial ones in blue.
     pub fn faces(
         self,
         arrangement: &Arrangement,
@@ -70,7 +71,7 @@ impl Scale {
         inner: impl Fn(usize) -> bool,
         partial: impl Fn(usize) -> bool,
     ) -> Drawing {
-        let fill = |f: usize| self.area(&arrangement.polygon(f), if partial(f) { GREY } else { YELLOW });
+        let fill = |f: usize| self.area(&arrangement.polygon(f), if partial(f) { BLUE } else { YELLOW });
         let mut shapes: Vec<Shape> = (0..arrangement.faces.len()).filter(|&f| inner(f)).map(fill).collect();
         shapes.extend(edges.iter().map(|e| self.line(ends(arrangement, e), RED, 1.0)));
         Drawing { shapes }
@@ -111,9 +112,16 @@ impl Scale {
     }
 }
 
-/// The set cells in one colour.
-pub fn cells(mask: &Mask) -> Drawing {
-    marked(mask, BLACK)
+/// The edge cells.
+pub fn edges(mask: &Mask) -> Drawing {
+    marked(mask, RED)
+}
+
+/// The walls' cells, and in red the obstacles taken away.
+pub fn cleared(obstacles: &Mask, walls: &Mask) -> Drawing {
+    let mut drawing = marked(walls, BLACK);
+    drawing.shapes.extend(marked(&obstacles.without(walls), RED).shapes);
+    drawing
 }
 
 /// The inner area, as the paper shows it.

@@ -110,7 +110,7 @@ impl Paper<'_> {
         let free = Mask::of_grid(grid, |c| occupancy(c, &|o| o <= limits.free));
         let walls = clutter::remove(&obstacles, self.resolution, &self.params.clutter)?;
         let free = free.or(&obstacles.without(&walls));
-        self.draw(Step::Clutter, || drawings::cells(&walls));
+        self.draw(Step::Clutter, || drawings::cleared(&obstacles, &walls));
         let inner = contour::inner_area(&free, self.resolution, limits);
         if inner.count() == 0 {
             return Err(ReconstructError::NoFreeSpace);
@@ -121,7 +121,7 @@ impl Paper<'_> {
     fn segments(&mut self, map: &Map) -> Result<Vec<Segment>, ReconstructError> {
         self.begin(Step::Edges);
         let edges = edges::detect(&map.walls, &self.params.edges);
-        self.draw(Step::Edges, || drawings::cells(&edges));
+        self.draw(Step::Edges, || drawings::edges(&edges));
         self.begin(Step::Segments);
         let segments = segments::detect(&edges, self.resolution, &self.params.segments);
         let scale = self.scale;

@@ -71,7 +71,7 @@ fn refuse(message: String) -> PluginError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planform_sdk::{RoomState, Wall};
+    use planform_sdk::{Room, RoomState, Wall};
 
     fn room(points: &[[f64; 2]]) -> Layout {
         let inner = Polygon { exterior: points.iter().copied().map(Point::from).collect(), holes: vec![] };

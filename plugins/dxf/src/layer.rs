@@ -40,8 +40,8 @@ impl Layer {
             Self::Wall => ("A-WALL", 7, "Continuous", 50),
             Self::WallCentre => ("A-WALL-CNTR", 8, "CENTER", 13),
             Self::Door => ("A-DOOR", 30, "Continuous", 25),
-            Self::Area => ("A-AREA", 5, "Continuous", 18),
-            Self::AreaLabel => ("A-AREA-IDEN", 5, "Continuous", 18),
+            Self::Area => ("A-AREA", 4, "Continuous", 18),
+            Self::AreaLabel => ("A-AREA-IDEN", 7, "Continuous", 18),
             Self::Frontier => ("A-AREA-PRTL", 1, "DASHED", 25),
             Self::Annotation => ("A-ANNO-TEXT", 94, "Continuous", 18),
         };

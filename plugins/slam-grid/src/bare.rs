@@ -13,7 +13,8 @@ const TOLERANCE: u8 = 2;
 pub fn read(source: &Source, format: ImageFormat, options: &Options) -> Result<Scene, PluginError> {
     let unknown = options::unknown(options)?;
     let negate = options.flag("negate");
-    let resolution = options.number("resolution").unwrap_or(BARE_RESOLUTION);
+    let given = options.number("resolution");
+    let resolution = given.unwrap_or(BARE_RESOLUTION);
     let picture = Picture::decode(&source.bytes, format)?;
     let (width, height) = (picture.width(), picture.height());
     let greys = picture.map(|tone| grey(tone, negate));
@@ -26,7 +27,14 @@ pub fn read(source: &Source, format: ImageFormat, options: &Options) -> Result<S
     let cells = greys.iter().map(|&g| cell(g, &bands)).collect();
     let grid = Grid::new(width, height, resolution, Pose::default(), cells)
         .map_err(|e| PluginError::new(ErrorKind::BadInput, e.to_string()))?;
-    Ok(Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() }))
+    let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
+    scene.warnings.extend(given.is_none().then(assumed));
+    Ok(scene)
+}
+
+/// Lengths are only as right as the resolution, which a picture does not tell.
+fn assumed() -> String {
+    format!("a pixel is taken to be {BARE_RESOLUTION} m wide; `--resolution` says otherwise")
 }
 
 /// The grey from 0 (occupied) to 255 (free), or nothing where the picture is rather transparent than not.

@@ -29,7 +29,7 @@ fn every_type_of_picture_gives_the_same_cells() {
             if picture.write_to(&mut out, format).is_err() {
                 continue;
             }
-            let scene = read_bytes("map", &out.into_inner(), &[])
+            let scene = read_bytes("map", &out.into_inner(), &[("resolution", "0.05")])
                 .unwrap_or_else(|e| panic!("{depth} {format:?}: {e}"));
             assert_eq!(cells(&scene), CELLS, "{depth} {format:?}");
             assert!(scene.warnings.is_empty());
@@ -161,4 +161,12 @@ fn transparent_is_unknown() {
     let image = image::ImageBuffer::from_fn(4, 1, |x, _| image::LumaA(pixels[x as usize]));
     let png = encode(&image.into(), ImageFormat::Png);
     assert_eq!(cells(&read_bytes("a.png", &png, &[]).unwrap()), [-1, 0, 100, -1]);
+}
+
+#[test]
+fn an_assumed_resolution_is_said() {
+    let pgm = b"P5\n2 1\n255\n\x00\xff";
+    let warnings = |options: &[(&str, &str)]| read_bytes("map.pgm", pgm, options).unwrap().warnings;
+    assert!(warnings(&[])[0].contains("0.05 m wide"));
+    assert_eq!(warnings(&[("resolution", "0.02")]), Vec::<String>::new());
 }
