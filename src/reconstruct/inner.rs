@@ -17,6 +17,9 @@ const SLIVER: f64 = 1e-3;
 /// Vertices nearer than this are one, metres: files round to 0.1 mm.
 const SHORTEST: f64 = 3e-4;
 
+/// How far an added strip reaches into the room, metres.
+const OVERLAP: f64 = 1e-2;
+
 /// The sharpest angle that a mitred corner may have, radians.
 const MITRE: f64 = 0.1;
 
@@ -111,7 +114,8 @@ impl Side {
             (p.x + forward * along.x - left * along.y, p.y + forward * along.y + left * along.x)
         };
         let (before, after) = (reach(self.before), reach(self.after));
-        let (low, high) = (self.inset.min(0.0), self.inset.max(0.0));
+        // An added strip overlaps the room: rounding would leave a hairline between two that only touch.
+        let (low, high) = if self.inset > 0.0 { (0.0, self.inset) } else { (self.inset, OVERLAP) };
         let corners = vec![
             at(self.from, -before, low),
             at(self.to, after, low),
@@ -197,6 +201,17 @@ mod tests {
         let floor = floor(&square, &[-0.5, 0.2, -0.3, -0.1]).unwrap();
         assert_eq!(floor.exterior.len(), 4);
         assert!((floor.area() - (4.0 - 0.2 + 0.1) * 4.8).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_turned_room_gets_its_floor_too() {
+        let turned = outline(&[[-1.1605, 0.4709], [-4.3026, 2.5229], [-6.2437, -0.4166], [-3.1017, -2.4686]]);
+        let area = |insets: &[f64]| floor(&turned, insets).unwrap().area();
+        for side in 0..4 {
+            let insets: Vec<f64> = (0..4).map(|i| if i == side { -0.4 } else { 0.1 }).collect();
+            let grown = area(&insets) - area(&[0.1; 4]);
+            assert!(grown > 0.4 * 3.0, "side {side}: {grown}");
+        }
     }
 
     #[test]

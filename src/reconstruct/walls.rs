@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Walls {
-    /// The wall is sought this far to either side of its centre line. Metres.
+    /// The wall is sought this far to either side of its line: as far as segments of the line may lie. Metres.
     pub reach: f64,
     /// A boundary of less weight than this is open: what stands near it is no wall along it. 0 to 1.
     pub min_weight: f64,
@@ -30,7 +30,7 @@ pub struct Walls {
 impl Default for Walls {
     fn default() -> Self {
         Self {
-            reach: 0.5,
+            reach: 0.9,
             min_weight: 0.1,
             unseen_thickness: 0.2,
             min_opening: 0.5,
