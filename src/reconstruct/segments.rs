@@ -4,7 +4,7 @@
 //! Edge cells vote in random order; as soon as a line has votes enough, the map is followed along it, and the cells
 //! of the segment found neither vote nor count any more.
 
-use super::random::Random;
+use super::random::mix;
 use super::raster::Mask;
 use planform_sdk::{Point, Segment};
 use schemars::JsonSchema;
@@ -44,13 +44,47 @@ impl Default for Segments {
 
 /// The segments along the edge cells, in metres from the grid's corner. `resolution` in metres per cell.
 pub fn detect(edges: &Mask, resolution: f64, params: &Segments) -> Vec<Segment> {
-    let mut points: Vec<(usize, usize)> = edges.cells().collect();
-    Random::new(params.seed).shuffle(&mut points);
-    let mut search = Search::new(edges, resolution, params);
-    let found: Vec<_> = points.into_iter().filter_map(|point| search.draw(point)).collect();
+    let Some(centre) = Centre::of(edges) else { return Vec::new() };
+    let mut cells: Vec<(i64, i64)> = edges.cells().map(|(c, r)| (c as i64, r as i64)).collect();
+    cells.sort_by_cached_key(|&cell| centre.draw(cell, params.seed));
+    let mut search = Search::new(edges, centre, resolution, params);
+    let found: Vec<_> = cells.into_iter().filter_map(|cell| search.draw(cell)).collect();
     let metres =
         |(x, y): (i64, i64)| Point::new((x as f64 + 0.5) * resolution, (y as f64 + 0.5) * resolution);
     found.into_iter().map(|(a, b)| Segment::new(metres(a), metres(b))).collect()
+}
+
+/// The middle of all edge cells. Seen from it, a map that is shifted, mirrored or turned by a right angle has its cells
+/// drawn in the same order and voting for the same lines, so the segments found hardly differ.
+#[derive(Clone, Copy)]
+struct Centre {
+    /// Twice its column and row: it may lie between two cells.
+    twice: (i64, i64),
+}
+
+impl Centre {
+    fn of(edges: &Mask) -> Option<Self> {
+        let ends = |v: &mut dyn Iterator<Item = usize>| {
+            v.fold(None, |ends: Option<(usize, usize)>, v| {
+                Some(ends.map_or((v, v), |(l, h)| (l.min(v), h.max(v))))
+            })
+        };
+        let columns = ends(&mut edges.cells().map(|c| c.0))?;
+        let rows = ends(&mut edges.cells().map(|c| c.1))?;
+        Some(Self { twice: ((columns.0 + columns.1) as i64, (rows.0 + rows.1) as i64) })
+    }
+
+    /// A cell's position from the centre, in half cells.
+    fn from(self, (column, row): (i64, i64)) -> (i64, i64) {
+        (2 * column - self.twice.0, 2 * row - self.twice.1)
+    }
+
+    /// When a cell is drawn: at random, but like its images under the symmetries of the square.
+    fn draw(self, cell: (i64, i64), seed: u64) -> (u64, (i64, i64)) {
+        let (x, y) = self.from(cell);
+        let (a, b) = (x.unsigned_abs(), y.unsigned_abs());
+        (mix(seed, a.max(b), a.min(b)), cell)
+    }
 }
 
 /// State of a cell: no edge, an edge that has not voted, or one that has.
@@ -63,6 +97,7 @@ enum Edge {
 
 struct Search {
     edges: Mask,
+    centre: Centre,
     state: Vec<Edge>,
     votes: Vec<u16>,
     /// Cosine and sine of each angle, over the distance step in cells.
@@ -74,7 +109,7 @@ struct Search {
 }
 
 impl Search {
-    fn new(edges: &Mask, resolution: f64, params: &Segments) -> Self {
+    fn new(edges: &Mask, centre: Centre, resolution: f64, params: &Segments) -> Self {
         let step = (params.distance_step / resolution).max(1.0);
         let angles = ((PI / params.angle_step).round() as usize).max(4);
         let trig =
@@ -84,6 +119,7 @@ impl Search {
         Self {
             state: edges.bits().iter().map(|&b| if b { Edge::Silent } else { Edge::None }).collect(),
             edges: edges.clone(),
+            centre,
             votes: vec![0; angles * distances],
             trig: trig.collect(),
             distances,
@@ -93,16 +129,16 @@ impl Search {
         }
     }
 
-    fn slot(&self, angle: usize, (column, row): (i64, i64)) -> usize {
+    fn slot(&self, angle: usize, cell: (i64, i64)) -> usize {
         let (cos, sin) = self.trig[angle];
-        let distance = (column as f64 * cos + row as f64 * sin).round() as i64 + self.distances as i64 / 2;
+        let (x, y) = self.centre.from(cell);
+        let distance = ((x as f64 * cos + y as f64 * sin) / 2.0).round() as i64 + self.distances as i64 / 2;
         angle * self.distances + distance as usize
     }
 
     /// Lets one edge cell vote, and follows its best line if that has votes enough.
-    fn draw(&mut self, (column, row): (usize, usize)) -> Option<((i64, i64), (i64, i64))> {
-        let cell = (column as i64, row as i64);
-        let i = row * self.edges.width() + column;
+    fn draw(&mut self, cell: (i64, i64)) -> Option<((i64, i64), (i64, i64))> {
+        let i = self.edges.index(cell.0, cell.1)?;
         if self.state[i] != Edge::Silent {
             return None;
         }
@@ -119,15 +155,14 @@ impl Search {
 
     /// Adds a cell's votes; returns the angle of its strongest line if that has votes enough.
     fn vote(&mut self, cell: (i64, i64)) -> Option<usize> {
-        let mut best = (0, 0);
+        let mut votes = Vec::with_capacity(self.trig.len());
         for angle in 0..self.trig.len() {
             let slot = self.slot(angle, cell);
             self.votes[slot] = self.votes[slot].saturating_add(1);
-            if self.votes[slot] > best.0 {
-                best = (self.votes[slot], angle);
-            }
+            votes.push(self.votes[slot]);
         }
-        (best.0 >= self.threshold).then_some(best.1)
+        let most = votes.iter().copied().max().filter(|&most| most >= self.threshold)?;
+        middle_of_ties(&votes, most)
     }
 
     /// The cells along a line from `start`: whole steps along the steeper axis.
@@ -179,6 +214,15 @@ impl Search {
     }
 }
 
+/// Of the angles with the most votes the middle one: a short line has neighbouring angles tie, and the first of them
+/// would lean. Angles go around, so the count starts where there is no tie.
+fn middle_of_ties(votes: &[u16], most: u16) -> Option<usize> {
+    let start = votes.iter().position(|&v| v < most).unwrap_or(0);
+    let around = (0..votes.len()).map(|i| (start + i) % votes.len());
+    let ties: Vec<usize> = around.filter(|&angle| votes[angle] == most).collect();
+    ties.get(ties.len() / 2).copied()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::raster::tests::mask;
@@ -196,6 +240,13 @@ mod tests {
         assert_eq!(found.len(), 1);
         assert!((found[0].length() - 2.45).abs() < 1e-9);
         assert!((found[0].a.y - 0.075).abs() < 1e-9 && (found[0].b.y - 0.075).abs() < 1e-9);
+    }
+
+    #[test]
+    fn ties_go_to_the_middle_also_around_the_end() {
+        assert_eq!(middle_of_ties(&[1, 3, 3, 3, 2], 3), Some(2));
+        assert_eq!(middle_of_ties(&[3, 3, 1, 1, 3], 3), Some(0));
+        assert_eq!(middle_of_ties(&[3, 3, 3], 3), Some(1));
     }
 
     #[test]
