@@ -9,6 +9,7 @@ mod inspect;
 mod man;
 mod output;
 mod params;
+mod passing;
 mod picture;
 mod plugins;
 mod progress;

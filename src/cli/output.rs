@@ -2,6 +2,7 @@
 
 use super::Failure;
 use super::failure::print;
+use super::passing::{self, Entry};
 use crate::host::Registry;
 use planform_sdk::Exporter;
 use std::fs;
@@ -169,10 +170,11 @@ pub fn write_file(path: &Path, bytes: &[u8], force: bool) -> Result<(), Failure>
     stage(path, bytes).map_err(|e| Failure::of_io(path, e))?.publish(force)
 }
 
-/// A file that is safe on the disk under a passing name; removed when dropped.
+/// A file that is safe on the disk under a passing name; removed when dropped, or when the program is interrupted.
 struct Staged {
     file: NamedTempFile,
     path: PathBuf,
+    entry: Entry<'static>,
 }
 
 fn stage(path: &Path, bytes: &[u8]) -> io::Result<Staged> {
@@ -181,16 +183,17 @@ fn stage(path: &Path, bytes: &[u8]) -> io::Result<Staged> {
     // A file like any other that the user makes; without this, nobody else could read it.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(folder(path))?;
+    let (mut file, entry) = passing::create(|| builder.tempfile_in(folder(path)))?;
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
-    Ok(Staged { file, path: path.into() })
+    Ok(Staged { file, path: path.into(), entry })
 }
 
 impl Staged {
     fn publish(self, force: bool) -> Result<(), Failure> {
-        let Self { file, path } = self;
+        let Self { file, path, entry } = self;
         let done = if force { file.persist(&path) } else { file.persist_noclobber(&path) };
+        drop(entry);
         done.map(drop).map_err(|e| Failure::of_io(path, e.error))
     }
 }
