@@ -10,6 +10,7 @@ fn settings_that_no_plugin_takes() {
     w.refuses("convert map.yaml -o a.svg --set colour=red", 2, &["`colour`", "slam-grid takes", "svg takes"]);
     w.refuses("convert map.yaml -o a.svg --set geojson.boundary=centre", 2, &["`geojson` takes no part"]);
     w.refuses("convert map.yaml -o a.svg --set svg.colour=red", 2, &["svg: ", "`colour`"]);
+    w.refuses("convert map.yaml -o a.dxf --set version=R14", 2, &["error: --set version=R14: ", "dxf: "]);
     w.refuses("convert map.yaml -o a.svg --set colour", 2, &["NAME=VALUE"]);
 }
 
@@ -20,7 +21,7 @@ fn resolutions_that_are_none() {
         w.refuses(
             &format!("convert map.pgm -o a.svg --resolution {bad}"),
             2,
-            &["map.pgm: ", "resolution", bad],
+            &[&format!("error: --set resolution={bad}: ")],
         );
     }
 }
@@ -56,6 +57,8 @@ fn bad_files_of_parameters() {
     w.refuses("convert map.yaml -o a.svg --params mine.toml", 1, &["mine.toml: line 1: "]);
     w.write("mine.toml", [0xff, 0xfe]);
     w.refuses("convert map.yaml -o a.svg --params mine.toml", 1, &["mine.toml: ", "UTF-8"]);
+    w.write("mine.toml", "[clutter]\nradius = -1.0\n");
+    w.refuses("convert gone.yaml -o a.svg --params mine.toml", 1, &["mine.toml: parameter `clutter.radius`"]);
     w.refuses("convert map.yaml -o a.svg --params gone.toml", 1, &["gone.toml: ", "no such file"]);
 }
 

@@ -71,13 +71,25 @@ impl<'a> Opened<'a> {
     /// The options of the adapter, then those of the `others`.
     pub fn options(&self, settings: &[Setting], others: &[&PluginInfo]) -> Result<Vec<Options>, Failure> {
         let plugins: Vec<_> = std::iter::once(self.adapter.info()).chain(others.iter().copied()).collect();
-        run_options(settings, &plugins).map_err(|e| Failure::of_plugin(self.shown(), e))
+        // Each alone, to name the one at fault.
+        let wrong =
+            settings.iter().find_map(|s| Some((s, run_options(std::slice::from_ref(s), &plugins).err()?)));
+        match wrong {
+            Some((setting, e)) => Err(Failure::Usage(format!("{}: {e}", typed(setting)))),
+            None => run_options(settings, &plugins).map_err(|e| Failure::of_plugin(self.shown(), e)),
+        }
     }
 
     /// Reads the document.
     pub fn read(&self, options: &Options) -> Result<Scene, Failure> {
         self.adapter.read(&self.source, options).map_err(|e| Failure::of_plugin(self.shown(), e))
     }
+}
+
+/// A setting as the user would type it.
+fn typed(Setting { plugin, name, value }: &Setting) -> String {
+    let plugin = plugin.as_ref().map(|p| format!("{p}.")).unwrap_or_default();
+    format!("--set {plugin}{name}={value}")
 }
 
 fn source(path: &Path) -> Result<Source, PluginError> {

@@ -64,14 +64,16 @@ impl MethodArgs {
 fn read(path: &Path) -> Result<Params, Failure> {
     let source = Source::open(path, FILE_LIMIT).map_err(|e| Failure::of_plugin(path, e))?;
     let text = String::from_utf8(source.bytes).map_err(|_| Failure::over(path, "is not a text in UTF-8"))?;
-    toml::from_str(&text).map_err(|e| Failure::over(path, sentence(&e, &text)))
+    let params: Params = toml::from_str(&text).map_err(|e| Failure::over(path, sentence(&e, &text)))?;
+    params.check().map_err(|e| Failure::over(path, e))?;
+    Ok(params)
 }
 
 /// A TOML error in one line, with the number of the line at fault.
 fn sentence(error: &toml::de::Error, text: &str) -> String {
     let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or("");
     let line = before.matches('\n').count() + 1;
-    let message = error.message().replace('\n', ", ");
+    let message = plain(error.message());
     format!("line {line}: {message}; `planform params` prints all that there are")
 }
 
@@ -84,7 +86,37 @@ fn set(params: &Params, setting: &str) -> Result<Params, Failure> {
         usage(format!("there is no parameter `{key}`; `planform params` prints all that there are"))
     })?;
     *place = parse(value);
-    table.try_into().map_err(|e: toml::de::Error| usage(e.message().replace('\n', ", ")))
+    let params: Params = table.try_into().map_err(|e: toml::de::Error| usage(plain(e.message())))?;
+    params.check().map_err(|e| usage(e.to_string()))?;
+    Ok(params)
+}
+
+/// What `serde` says is wrong, in words for people, in one line.
+fn plain(message: &str) -> String {
+    let message = message.trim_end().replace('\n', ", ");
+    let Some((found, expected)) = message.split_once(", expected ") else { return message };
+    if let Some(found) = found.strip_prefix("invalid type: ").or(found.strip_prefix("invalid value: ")) {
+        return format!("must be {}, not {}", wanted(expected), found.replace("string", "the text"));
+    }
+    let words = expected.trim_start_matches("one of ");
+    if let Some(found) = found.strip_prefix("unknown variant ") {
+        return format!("{found} is not one of {words}");
+    }
+    if let Some(found) = found.strip_prefix("unknown field ") {
+        return format!("there is no parameter {found} here, only {words}");
+    }
+    message
+}
+
+/// A type of Rust in words.
+fn wanted(expected: &str) -> &str {
+    match expected {
+        "u8" => "a whole number from 0 to 255",
+        "u16" | "u32" | "u64" | "usize" => "a whole number of at least 0",
+        "f32" | "f64" => "a number",
+        other if other.starts_with("struct ") => "a table of parameters",
+        other => other,
+    }
 }
 
 fn find<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut toml::Value> {
@@ -169,6 +201,30 @@ mod tests {
         for bad in ["method", "methods=paper", "method=guess", "method.x=1"] {
             let Failure::Usage(sentence) = set(&Params::default(), bad).unwrap_err() else { panic!("{bad}") };
             assert!(sentence.starts_with("--param ") && !sentence.contains('\n'), "{sentence}");
+        }
+    }
+
+    #[test]
+    fn a_parameter_out_of_range_is_blamed_on_its_flag() {
+        let Failure::Usage(sentence) = set(&Params::default(), "clutter.radius=-1").unwrap_err() else {
+            panic!("no usage")
+        };
+        assert!(sentence.starts_with("--param clutter.radius=-1: parameter `clutter.radius`"), "{sentence}");
+    }
+
+    #[test]
+    fn wrong_values_are_told_in_plain_words() {
+        for (setting, words) in [
+            ("rooms.min_points=x", "must be a whole number of at least 0, not the text \"x\""),
+            ("contour.free=300", "must be a whole number from 0 to 255, not integer `300`"),
+            ("clutter.radius=wide", "must be a number, not the text \"wide\""),
+            ("clutter=1", "must be a table of parameters, not integer `1`"),
+            ("method=guess", "`guess` is not one of `paper`"),
+        ] {
+            let Failure::Usage(sentence) = set(&Params::default(), setting).unwrap_err() else {
+                panic!("{setting}")
+            };
+            assert_eq!(sentence, format!("--param {setting}: {words}"));
         }
     }
 
