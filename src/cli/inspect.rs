@@ -3,6 +3,7 @@
 use super::input::{InputArgs, Opened};
 use super::{Failure, failure::print};
 use crate::host::{Claim, Registry};
+use crate::reconstruct::Contour;
 use clap::Args;
 use planform_sdk::{Grid, Pose, Scene};
 use serde::Serialize;
@@ -13,11 +14,6 @@ Examples:
   planform inspect map.yaml
   planform inspect scan.png --resolution 0.05
   planform inspect map.yaml --json";
-
-/// From this occupancy on, in percent, a cell counts as occupied.
-const OCCUPIED: u8 = 65;
-/// Up to this occupancy, in percent, a cell counts as free.
-const FREE: u8 = 25;
 
 /// Tell what a document is and what it shows, without reconstructing anything
 #[derive(Args)]
@@ -64,29 +60,30 @@ struct ClaimReport {
     reason: String,
 }
 
-/// How much of the grid is what, each 0 to 1.
+/// How much of the grid is what, each 0 to 1, as the reconstruction judges by default.
 #[derive(Serialize, Debug, PartialEq)]
 struct Shares {
     free: f64,
-    occupied: f64,
+    obstacle: f64,
     between: f64,
     unknown: f64,
 }
 
 impl Shares {
     fn of(grid: &Grid) -> Self {
+        let limits = Contour::default();
         let mut counts = [0usize; 4];
         for cell in grid.cells() {
             let kind = match cell.occupancy() {
-                Some(..=FREE) => 0,
-                Some(OCCUPIED..) => 1,
+                Some(o) if o >= limits.obstacle => 1,
+                Some(o) if o <= limits.free => 0,
                 Some(_) => 2,
                 None => 3,
             };
             counts[kind] += 1;
         }
-        let [free, occupied, between, unknown] = counts.map(|n| n as f64 / grid.cells().len() as f64);
-        Self { free, occupied, between, unknown }
+        let [free, obstacle, between, unknown] = counts.map(|n| n as f64 / grid.cells().len() as f64);
+        Self { free, obstacle, between, unknown }
     }
 }
 
@@ -127,11 +124,19 @@ impl Report {
             "  size        {} x {} cells, {:.2} x {:.2} m",
             cells[0], cells[1], metres[0], metres[1]
         );
-        let _ = writeln!(t, "  resolution  {} m per cell", self.resolution);
-        let _ = writeln!(t, "  origin      x {} m, y {} m, yaw {} rad", origin.x, origin.y, origin.yaw);
+        let _ = writeln!(t, "  resolution  {} m per cell", rounded(self.resolution));
+        let _ = writeln!(
+            t,
+            "  origin      x {} m, y {} m, yaw {} rad",
+            rounded(origin.x),
+            rounded(origin.y),
+            rounded(origin.yaw)
+        );
+        let _ = writeln!(t, "  cells, as the reconstruction judges them by default:");
+        let limits = Contour::default();
         for (name, share, meaning) in [
-            ("free", shares.free, format!("occupancy of at most {FREE} %")),
-            ("occupied", shares.occupied, format!("occupancy of at least {OCCUPIED} %")),
+            ("free", shares.free, format!("occupancy of at most {} %", limits.free)),
+            ("obstacle", shares.obstacle, format!("occupancy of at least {} %", limits.obstacle)),
             ("between", shares.between, String::from("seen, but neither")),
             ("unknown", shares.unknown, String::from("not seen")),
         ] {
@@ -142,6 +147,12 @@ impl Report {
         }
         t
     }
+}
+
+/// The number with at most six digits after the point. A resolution finer than that stays as it is.
+fn rounded(v: f64) -> f64 {
+    let rounded = (v * 1e6).round() / 1e6;
+    if rounded == 0.0 || !rounded.is_finite() { v } else { rounded }
 }
 
 impl ClaimReport {
@@ -165,9 +176,16 @@ mod tests {
     use planform_sdk::Cell;
 
     #[test]
+    fn numbers_are_rounded() {
+        assert_eq!([6.299999999999997, -12.5, 0.0].map(rounded), [6.3, -12.5, 0.0]);
+        assert_eq!((rounded(1e-9), rounded(1e307)), (1e-9, 1e307));
+    }
+
+    #[test]
     fn shares_add_up_at_the_thresholds() {
-        let cells = [25, 26, 64, 65].map(Cell::percent).to_vec();
+        let Contour { free, obstacle, .. } = Contour::default();
+        let cells = [free, free + 1, obstacle - 1, obstacle].map(Cell::percent).to_vec();
         let grid = Grid::new(4, 1, 0.05, Pose::default(), cells).unwrap();
-        assert_eq!(Shares::of(&grid), Shares { free: 0.25, occupied: 0.25, between: 0.5, unknown: 0.0 });
+        assert_eq!(Shares::of(&grid), Shares { free: 0.25, obstacle: 0.25, between: 0.5, unknown: 0.0 });
     }
 }
