@@ -25,6 +25,22 @@ fn folder() {
     let w = Workshop::new();
     fs::create_dir(w.path("rooms.svg")).unwrap();
     w.refuses("convert map.yaml -o rooms.svg --force", 1, &["rooms.svg: is a folder"]);
+    w.refuses("convert map.yaml -o .", 1, &[".: is a folder"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn link_to_nothing() {
+    let w = Workshop::new();
+    std::os::unix::fs::symlink("gone.svg", w.path("a.svg")).unwrap();
+    w.refuses("convert map.yaml -o a.svg", 1, &["a.svg: is a link to a file that is not there"]);
+    w.refuses("convert map.yaml -o a.svg --force", 1, &["a.svg: is a link to a file that is not there"]);
+}
+
+#[test]
+fn name_that_is_too_long() {
+    let name = "a".repeat(300);
+    Workshop::new().refuses(&format!("convert map.yaml -o {name}.svg"), 1, &["file name as long as this"]);
 }
 
 #[test]

@@ -49,6 +49,9 @@ pub fn plan<'a>(
     }
 }
 
+const FOLDER: &str = "is a folder; give the name of a file in it";
+const PRESENT: &str = "is there already; `--force` overwrites it";
+
 fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<Target<'a>, Failure> {
     let named = || to.and_then(|to| registry.exporter(to));
     let exporter = registry.exporter_for(path).or_else(named).ok_or_else(|| no_format(path, registry))?;
@@ -56,6 +59,9 @@ fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<T
 }
 
 fn no_format(path: &Path, registry: &Registry) -> Failure {
+    if path.is_dir() {
+        return Failure::over(path, FOLDER);
+    }
     let names: Vec<_> = registry.exporters().map(|e| e.info().name.as_str()).collect();
     let name = if path == Path::new("-") { "standard output".into() } else { path.display().to_string() };
     let advice = format!("`--to FORMAT` names it, one of {}", names.join(", "));
@@ -127,9 +133,11 @@ impl Target<'_> {
 pub fn check_file(path: &Path, force: bool) -> Result<(), Failure> {
     let refuse = |reason: &str| Err(Failure::over(path, reason));
     match fs::metadata(path) {
-        Ok(m) if m.is_dir() => refuse("is a folder; give the name of a file in it"),
-        Ok(_) if !force => refuse("is there already; `--force` overwrites it"),
+        Ok(m) if m.is_dir() => refuse(FOLDER),
+        Ok(_) if !force => refuse(PRESENT),
         Ok(m) if m.permissions().readonly() => refuse("is read-only; choose another name"),
+        Err(_) if path.is_symlink() => refuse("is a link to a file that is not there; give that file's name"),
+        Err(e) if e.kind() == io::ErrorKind::InvalidFilename => Err(Failure::of_io(path, e)),
         _ => check_folder(path),
     }
 }
@@ -194,7 +202,11 @@ impl Staged {
         let Self { file, path, entry } = self;
         let done = if force { file.persist(&path) } else { file.persist_noclobber(&path) };
         drop(entry);
-        done.map(drop).map_err(|e| Failure::of_io(path, e.error))
+        // Somebody else may have made the file since it was checked.
+        done.map(drop).map_err(|e| match e.error.kind() {
+            io::ErrorKind::AlreadyExists => Failure::over(path, PRESENT),
+            _ => Failure::of_io(path, e.error),
+        })
     }
 }
 
@@ -207,7 +219,7 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("a.svg");
         write_file(&path, b"one", false).unwrap();
-        assert!(write_file(&path, b"two", false).is_err());
+        assert_eq!(write_file(&path, b"two", false).unwrap_err(), Failure::over(&path, PRESENT));
         write_file(&path, b"three", true).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"three");
         assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);

@@ -106,7 +106,12 @@ fn plain_words(e: &io::Error) -> String {
         io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only",
         io::ErrorKind::NotADirectory => "a part of the path is a file, not a folder",
         io::ErrorKind::IsADirectory => "is a folder, not a file",
-        _ => return e.to_string(),
+        io::ErrorKind::AlreadyExists => "is there already",
+        io::ErrorKind::InvalidFilename => {
+            "the system takes no file name as long as this, or with these characters"
+        }
+        // The number says nothing to most people.
+        _ => return e.to_string().split(" (os error").next().unwrap_or_default().into(),
     };
     words.into()
 }
