@@ -19,6 +19,22 @@ fn version() {
 }
 
 #[test]
+fn help_is_a_verb_as_well() {
+    let w = Workshop::empty();
+    assert_eq!(w.does("help").0, w.does("--help").0);
+    assert_eq!(w.does("help convert").0, w.does("convert --help").0);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn help_that_cannot_be_printed_is_a_failure() {
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let mut planform = std::process::Command::new(env!("CARGO_BIN_EXE_planform"));
+    let output = planform.arg("--help").stdout(full).stderr(std::process::Stdio::piped()).output().unwrap();
+    cli_support::refused(&output, 1, &["standard output: the disk is full"], "--help > /dev/full");
+}
+
+#[test]
 fn every_verb_has_help_with_an_example() {
     for verb in ["convert", "inspect", "evaluate", "plugins", "params", "completions", "man"] {
         let (out, _) = Workshop::empty().does(&format!("{verb} --help"));
@@ -56,7 +72,8 @@ fn plugins_are_listed_with_their_options() {
     assert!(w.does("plugins geojson").0.contains("boundary"));
     let all: Value = serde_json::from_str(&w.does("plugins --json").0).unwrap();
     assert_eq!(all.as_array().unwrap().len(), table.lines().count() - 1);
-    w.refuses("plugins docx", 2, &["`docx`", "geojson"]);
+    assert_eq!(w.does("plugins GeoJSON").0, w.does("plugins geojson").0);
+    w.refuses("plugins docx", 2, &["docx"]);
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn page() -> io::Result<String> {
     man.render_title(&mut page)?;
     man.render_name_section(&mut page)?;
     page.extend(sections(&program)?.into_bytes());
-    for verb in program.get_subcommands() {
+    for verb in program.get_subcommands().filter(|v| v.get_name() != "help") {
         writeln!(page, ".SH \"PLANFORM {}\"", verb.get_name().to_uppercase())?;
         page.extend(sections(verb)?.replace(".SH ", ".SS ").into_bytes());
     }
@@ -40,6 +40,7 @@ fn sections(command: &Command) -> io::Result<String> {
     man.render_options_section(&mut text)?;
     man.render_extra_section(&mut examples)?;
     let examples = String::from_utf8_lossy(&examples).replace(".SH EXTRA", ".SH EXAMPLES\n.nf");
+    let examples = examples.replacen("\nExamples:\n", "\n", 1).replacen("\nExample:\n", "\n", 1);
     Ok(format!("{}{examples}.fi\n", String::from_utf8_lossy(&text)))
 }
 
@@ -48,8 +49,9 @@ mod tests {
     #[test]
     fn every_verb_and_option_is_on_the_page() {
         let page = super::page().unwrap();
-        for text in ["PLANFORM CONVERT", "PLANFORM INSPECT", "resolution", "Examples"] {
+        for text in ["PLANFORM CONVERT", "PLANFORM INSPECT", "resolution", ".SH EXAMPLES"] {
             assert!(page.contains(text), "{text} is missing");
         }
+        assert!(!page.contains("\nExample"), "the heading is doubled");
     }
 }

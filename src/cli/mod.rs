@@ -19,6 +19,7 @@ pub use failure::Failure;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
@@ -34,7 +35,6 @@ Exit status: 0 done, 1 failed, 2 the command line makes no sense.";
 /// and writes them as a drawing or as data.
 #[derive(Parser)]
 #[command(name = "planform", version, after_help = EXAMPLES, arg_required_else_help = true)]
-#[command(disable_help_subcommand = true)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
@@ -73,10 +73,20 @@ pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             failure::catch_bugs(&args, || cli.verb.run()).map_or_else(Failure::report, |()| ExitCode::SUCCESS)
         }
         Err(e) => {
-            // Nobody is left to be told when help cannot be printed.
-            let _ = e.print();
-            ExitCode::from(e.exit_code() as u8)
+            let code = ExitCode::from(e.exit_code() as u8);
+            print_help(&e).map_or_else(Failure::report, |()| code)
         }
+    }
+}
+
+/// Prints help, or what is wrong with the command line.
+fn print_help(e: &clap::Error) -> Result<(), Failure> {
+    let printed = e.print().and_then(|()| std::io::stdout().flush());
+    match printed {
+        // Nobody is left to be told when standard error is closed.
+        Err(_) if e.use_stderr() => Ok(()),
+        Err(e) if e.kind() == std::io::ErrorKind::BrokenPipe => Err(Failure::ReaderGone),
+        printed => printed.map_err(|e| Failure::of_io("standard output", e)),
     }
 }
 

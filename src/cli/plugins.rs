@@ -3,6 +3,7 @@
 use super::{Failure, failure::print};
 use crate::host::Registry;
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 use planform_sdk::{OptionSpec, PluginInfo};
 use serde_json::{Value, json};
 
@@ -17,7 +18,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct PluginsArgs {
     /// Show this plugin with its options
-    #[arg(value_name = "NAME")]
+    #[arg(value_name = "NAME", value_parser = names(), ignore_case = true)]
     name: Option<String>,
     /// Print as JSON
     #[arg(long)]
@@ -29,7 +30,7 @@ type Listed<'a> = (&'static str, &'a PluginInfo);
 
 pub fn run(args: &PluginsArgs) -> Result<(), Failure> {
     let registry = Registry::builtin();
-    let plugins = chosen(&registry, args.name.as_deref())?;
+    let plugins = chosen(&registry, args.name.as_deref());
     let text = match (args.json, &args.name) {
         (true, _) => format!("{:#}\n", plugins.iter().map(json_of).collect::<Value>()),
         (false, Some(_)) => plugins.iter().map(details).collect(),
@@ -38,19 +39,19 @@ pub fn run(args: &PluginsArgs) -> Result<(), Failure> {
     print(text.as_bytes())
 }
 
-fn chosen<'a>(registry: &'a Registry, name: Option<&str>) -> Result<Vec<Listed<'a>>, Failure> {
-    let all = registry
-        .adapters()
-        .map(|a| ("read", a.info()))
-        .chain(registry.exporters().map(|e| ("write", e.info())));
-    let (chosen, others): (Vec<_>, Vec<_>) = all.partition(|(_, info)| name.is_none_or(|n| n == info.name));
-    match name {
-        Some(name) if chosen.is_empty() => {
-            let names: Vec<_> = others.iter().map(|(_, info)| info.name.as_str()).collect();
-            Err(Failure::Usage(format!("there is no plugin `{name}`; there are {}", names.join(", "))))
-        }
-        _ => Ok(chosen),
-    }
+fn names() -> PossibleValuesParser {
+    let registry = Registry::builtin();
+    PossibleValuesParser::new(all(&registry).map(|(_, info)| info.name.clone()).collect::<Vec<_>>())
+}
+
+fn all(registry: &Registry) -> impl Iterator<Item = Listed<'_>> {
+    let adapters = registry.adapters().map(|a| ("read", a.info()));
+    adapters.chain(registry.exporters().map(|e| ("write", e.info())))
+}
+
+/// The plugin of this name, in whatever case, or all.
+fn chosen<'a>(registry: &'a Registry, name: Option<&str>) -> Vec<Listed<'a>> {
+    all(registry).filter(|(_, info)| name.is_none_or(|n| n.eq_ignore_ascii_case(&info.name))).collect()
 }
 
 fn table(plugins: &[Listed<'_>]) -> String {
