@@ -203,7 +203,7 @@ fn errors_name_the_file_and_the_fault() {
     let pair = |p: &Path, t: &Path| evaluate(Some(p), t, &pixels());
     fails(pair(&f.path("gone.geojson"), &truth), "gone.geojson", "");
     fails(pair(&f.write("bad.geojson", "{\n  oops"), &truth), "bad.geojson", "line 2 column");
-    fails(pair(&found, &f.write("no.png", "text")), "no.png", "not an image");
+    fails(pair(&found, &f.write("no.png", "text")), "no.png", "neither a picture");
     fails(pair(&found, &f.write("huge.pgm", "P5 99999 99999 255\n")), "huge.pgm", "99999 x 99999");
     fails(
         pair(&f.layout("far.geojson", &[[0.0, 0.0, 1e300, 1.0]]), &truth),
@@ -212,7 +212,7 @@ fn errors_name_the_file_and_the_fault() {
     );
     GrayImage::new(9, 9).save(f.path("small.png")).unwrap();
     fails(pair(&f.path("small.png"), &truth), "small.png", "9 x 9 pixels, but its truth has 100 x 60");
-    fails(pair(&truth, &found), "truth.png", "is an image");
+    fails(pair(&truth, &found), "truth.png", "is not named *.geojson");
     let set = |text| evaluate_set(&f.write("m.json", text), f.0.path(), &pixels());
     fails(set("{\"maps\": [{}]}"), "m.json", "line 1 column");
     fails(set(r#"{"maps": [{"name": "a"}]}"#), "m.json", "no map with a truth");

@@ -63,7 +63,7 @@ pub struct EvaluateArgs {
     #[arg(long, value_parser = choice(MODES))]
     gt_mode: Option<LabelMode>,
     /// How a predicted label image shows rooms
-    #[arg(long, default_value = "labels", value_parser = choice(MODES))]
+    #[arg(long, default_value = "auto", value_parser = choice(MODES))]
     prediction_mode: LabelMode,
     /// Rooms of at most this many pixels do not count [default: the manifest's, else 100]
     #[arg(long, value_name = "N")]
@@ -139,7 +139,7 @@ impl EvaluateArgs {
 
     fn run_pair(&self, prediction: &Path, truth: &Path, settings: &Settings) -> Result<(), Failure> {
         let scores = evaluate(Some(prediction), truth, settings).map_err(failure)?;
-        warn_of_nothing(&truth.display().to_string(), &scores);
+        warn(&truth.display().to_string(), &prediction.display().to_string(), &scores);
         let name = prediction.file_stem().unwrap_or_default().to_string_lossy();
         self.output(&scores, || pair_table(&name, &scores, self.clip))
     }
@@ -149,10 +149,9 @@ impl EvaluateArgs {
             return Err(Failure::over(predictions, "is not a folder"));
         }
         let scores: SetScores = evaluate_set(manifest, predictions, settings).map_err(failure)?;
-        scores
-            .maps
-            .iter()
-            .for_each(|(name, scores)| warn_of_nothing(&format!("the truth of {name}"), scores));
+        for (name, scores) in &scores.maps {
+            warn(&format!("the truth of {name}"), &format!("the prediction of {name}"), scores);
+        }
         self.output(&scores, || set_table(&scores, self.clip))
     }
 
@@ -171,8 +170,19 @@ fn failure(e: EvaluateError) -> Failure {
     Failure::of_plugin(e.file, e.error)
 }
 
-fn warn_of_nothing(truth: &str, scores: &Scores) {
-    if scores.raw.measures.n_gt == 0 {
+const SAME_FRAME: &str = "are prediction and truth of the same map and frame?";
+
+/// Warns of scores that tell more of how the files were read than of the rooms.
+fn warn(truth: &str, prediction: &str, scores: &Scores) {
+    let m = &scores.raw.measures;
+    if m.n_gt == 0 {
         say(&format!("warning: {truth} shows no room; check --gt-mode and --min-px"));
+    }
+    if scores.prediction.is_none() {
+        say(&format!("warning: {prediction} is missing, which scores 0"));
+    } else if m.n_pred == 0 {
+        say(&format!("warning: {prediction} shows no room there; {SAME_FRAME}"));
+    } else if m.n_gt > 0 && m.spill > 0.5 {
+        say(&format!("warning: {:.0} % of {prediction} lies in no true room; {SAME_FRAME}", m.spill * 100.0));
     }
 }

@@ -23,7 +23,7 @@ pub struct Settings {
     pub origin: Option<Pose>,
     /// How a truth image shows its rooms; `Auto` by default.
     pub truth_mode: Option<LabelMode>,
-    /// How a predicted label image shows its rooms; `Labels` by default.
+    /// How a predicted label image shows its rooms; `Auto` by default.
     pub prediction_mode: Option<LabelMode>,
     /// Rooms of at most this many pixels do not count; [`MIN_PX`] by default.
     pub min_px: Option<u64>,
@@ -108,7 +108,8 @@ pub fn evaluate(
 
 fn compare_layouts(prediction: &Path, truth: &Path, settings: &Settings) -> Result<Scores, EvaluateError> {
     if !is_layout(prediction) {
-        let e = bad("is an image, and its truth is not").advise("compare label images with label images");
+        let e = bad("is not named *.geojson or *.json, and its truth is")
+            .advise("compare a GeoJSON layout with this truth, or a picture with a picture");
         return Err(e).over(prediction);
     }
     let (true_rooms, rooms) = (read_layout(truth)?, read_layout(prediction)?);
@@ -133,7 +134,7 @@ fn compare_with_image(
             Overlap::of_rooms(&rooms, &wanted).over(file)?
         }
         Some(file) => {
-            let rooms = read_image(file, settings.prediction_mode.unwrap_or(LabelMode::Labels), min_px)?;
+            let rooms = read_image(file, settings.prediction_mode.unwrap_or_default(), min_px)?;
             Overlap::of_images(&rooms, &wanted).over(file)?
         }
     };

@@ -58,8 +58,8 @@ fn guess(bytes: &[u8]) -> Result<ImageReader<Cursor<&[u8]>>, PluginError> {
 fn unreadable(e: image::ImageError) -> PluginError {
     match e {
         image::ImageError::Unsupported(_) => {
-            PluginError::new(ErrorKind::Unsupported, "is not an image of a known format")
-                .advise("give a PNG, PNM, BMP, TIFF or JPEG image, or a GeoJSON layout named *.geojson")
+            PluginError::new(ErrorKind::Unsupported, "is neither a picture nor a GeoJSON layout")
+                .advise("these two are read: a picture (PNG, PNM, BMP, TIFF, JPEG), and a layout named *.geojson or *.json")
         }
         e => bad(format!("cannot be read as an image: {e}")),
     }

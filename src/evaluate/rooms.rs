@@ -17,12 +17,16 @@ pub struct RoomShape {
 /// Reads the rooms of a feature collection, in the order of the file and in its coordinates.
 ///
 /// A room is a `Polygon` or `MultiPolygon` with `"kind": "room"`. A feature without a `kind` is a room too if its
-/// geometry can be one. Everything else is passed over.
+/// geometry can be one. Everything else is passed over. A collection with an `anchor` lies on the Earth, in degrees, and
+/// is refused.
 pub fn read_rooms(bytes: &[u8]) -> Result<Vec<RoomShape>, PluginError> {
     let text = std::str::from_utf8(bytes).map_err(|e| bad(format!("is not UTF-8: {e}")))?;
     let document: GeoJson = text.strip_prefix('\u{feff}').unwrap_or(text).parse().map_err(malformed)?;
     let collection = FeatureCollection::try_from(document)
         .map_err(|e| bad(e.to_string()).advise("give a FeatureCollection with the rooms as features"))?;
+    if collection.foreign_members.as_ref().is_some_and(|members| members.contains_key("anchor")) {
+        return Err(bad("is in degrees").advise("write it without --anchor"));
+    }
     let rooms = collection.features.iter().zip(1..).filter_map(|(f, n)| room(f, n).transpose());
     let rooms: Vec<_> = rooms.collect::<Result<_, _>>()?;
     match rooms.len() {
@@ -138,6 +142,8 @@ mod tests {
         assert!(message(TRIANGLE).contains("FeatureCollection"));
         assert!(message(&collection(&feature(r#"{"kind": "room"}"#, LINE))).contains("feature 1 is a room"));
         assert!(message(&collection(&feature(r#"{"kind": "room"}"#, "null"))).contains("is nothing"));
+        let anchored = collection("").replace("\"features\"", "\"anchor\": {}, \"features\"");
+        assert_eq!(message(&anchored), "is in degrees; write it without --anchor");
         let short = TRIANGLE.replace("[1,0],[0,1],", "");
         assert!(message(&collection(&feature("{}", &short))).contains("ring of 2 positions"));
         let flat = TRIANGLE.replace("[1,0]", "[1]");
