@@ -6,10 +6,12 @@ use planform_sdk::{Cell, Grid, Point, Polygon, Segment};
 use std::ops::Range;
 use tiny_skia::{FillRule, LineCap, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, Transform};
 
-/// Small maps are enlarged until their longest side has about this many pixels.
+/// Small maps are enlarged until their longest side has at least this many pixels.
 const WANTED: f64 = 1600.0;
 /// No side has more pixels.
-const LONGEST: f64 = 4000.0;
+const LONGEST: f64 = 2400.0;
+/// Cells around those that are known, as a share of the longest side.
+const MARGIN: f64 = 0.02;
 /// A cell is never enlarged to more pixels.
 const LARGEST_CELL: f64 = 16.0;
 
@@ -23,6 +25,7 @@ const AREA_ALPHA: u8 = 110;
 /// A picture of a grid, ready to be painted over.
 pub struct Painter {
     background: Pixmap,
+    view: View,
     /// Pixels per cell.
     scale: f64,
     /// From cells, y up, to pixels, y down.
@@ -30,14 +33,17 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// The picture of this grid; none if there is no memory for it.
+    /// The picture of this grid as far as it is known; none if there is no memory for it.
     pub fn new(grid: &Grid) -> Option<Self> {
-        let scale = scale(grid.width().max(grid.height()));
-        let side = |cells: u32| (f64::from(cells) * scale).round().max(1.0) as u32;
-        let background = background(grid, side(grid.width()), side(grid.height()))?;
+        let view = View::of(grid);
+        let scale = scale(view.columns.len().max(view.rows.len()));
+        let side = |cells: &Range<u32>| (cells.len() as f64 * scale).round().max(1.0) as u32;
+        let background = background(grid, &view, side(&view.columns), side(&view.rows))?;
+        let left = -f64::from(view.columns.start) * scale;
+        let bottom = f64::from(background.height()) + f64::from(view.rows.start) * scale;
         let transform =
-            Transform::from_row(scale as f32, 0.0, 0.0, -scale as f32, 0.0, background.height() as f32);
-        Some(Self { background, scale, transform })
+            Transform::from_row(scale as f32, 0.0, 0.0, -scale as f32, left as f32, bottom as f32);
+        Some(Self { background, view, scale, transform })
     }
 
     /// The drawing over the grid, as a PNG file.
@@ -66,6 +72,10 @@ impl Painter {
     fn paint_cell(&self, picture: &mut Pixmap, (column, row): (u32, u32), [r, g, b]: [u8; 3]) {
         let Some(colour) = PremultipliedColorU8::from_rgba(r, g, b, 255) else { return };
         let (width, height) = (picture.width() as usize, picture.height() as usize);
+        let (first_column, first_row) = (self.view.columns.start, self.view.rows.start);
+        let (Some(column), Some(row)) = (column.checked_sub(first_column), row.checked_sub(first_row)) else {
+            return;
+        };
         for y in self.pixels_of(row, height) {
             let line = (height - 1 - y) * width;
             for x in self.pixels_of(column, width) {
@@ -74,7 +84,7 @@ impl Painter {
         }
     }
 
-    /// The pixels that a column or a row of cells covers, at least one unless it lies outside.
+    /// The pixels that a column or a row of the view covers, at least one unless it lies outside.
     fn pixels_of(&self, cell: u32, side: usize) -> Range<usize> {
         let start = (f64::from(cell) * self.scale) as usize;
         let end = ((f64::from(cell) + 1.0) * self.scale) as usize;
@@ -103,6 +113,36 @@ impl Painter {
     }
 }
 
+/// The part of a grid that a picture shows.
+struct View {
+    columns: Range<u32>,
+    rows: Range<u32>,
+}
+
+impl View {
+    /// The known cells with a margin; all cells where none is known.
+    fn of(grid: &Grid) -> Self {
+        let (width, height) = (grid.width(), grid.height());
+        let (mut columns, mut rows) = (width..0, height..0);
+        for (row, cells) in (0..height).zip(grid.cells().chunks(width.max(1) as usize)) {
+            let known = |cell: &Cell| cell.occupancy().is_some();
+            let (Some(first), Some(last)) = (cells.iter().position(known), cells.iter().rposition(known))
+            else {
+                continue;
+            };
+            columns = columns.start.min(first as u32)..columns.end.max(last as u32 + 1);
+            rows = rows.start.min(row)..row + 1;
+        }
+        if rows.is_empty() {
+            return Self { columns: 0..width, rows: 0..height };
+        }
+        let margin = (columns.len().max(rows.len()) as f64 * MARGIN).ceil() as u32 + 1;
+        let widened =
+            |r: Range<u32>, side: u32| r.start.saturating_sub(margin)..r.end.saturating_add(margin).min(side);
+        Self { columns: widened(columns, width), rows: widened(rows, height) }
+    }
+}
+
 fn add_points(path: &mut PathBuilder, points: &[Point]) {
     let Some((first, rest)) = points.split_first() else { return };
     path.move_to(first.x as f32, first.y as f32);
@@ -118,17 +158,17 @@ fn paint([r, g, b]: [u8; 3], alpha: u8) -> Paint<'static> {
 }
 
 /// Pixels per cell.
-fn scale(longest: u32) -> f64 {
-    let longest = f64::from(longest);
-    let enlarged = (WANTED / longest).floor().clamp(1.0, LARGEST_CELL);
+fn scale(longest: usize) -> f64 {
+    let longest = longest as f64;
+    let enlarged = (WANTED / longest).ceil().clamp(1.0, LARGEST_CELL);
     enlarged.min(LONGEST / longest)
 }
 
-/// The grid in pale grey. Where several cells share a pixel the darkest shows, so that thin walls do not vanish.
-fn background(grid: &Grid, width: u32, height: u32) -> Option<Pixmap> {
+/// The view of the grid in pale grey. Where several cells share a pixel the darkest shows, so that thin walls do not vanish.
+fn background(grid: &Grid, view: &View, width: u32, height: u32) -> Option<Pixmap> {
     let mut picture = Pixmap::new(width, height)?;
-    let columns = spans(grid.width(), width);
-    let rows = spans(grid.height(), height);
+    let columns = spans(&view.columns, width);
+    let rows = spans(&view.rows, height);
     let places = rows.iter().rev().flat_map(|row| columns.iter().map(move |column| (column, row)));
     for (pixel, (column, row)) in picture.pixels_mut().iter_mut().zip(places) {
         let grey = darkest(grid, column, row);
@@ -138,9 +178,13 @@ fn background(grid: &Grid, width: u32, height: u32) -> Option<Pixmap> {
 }
 
 /// The cells that each pixel of a side shows.
-fn spans(cells: u32, pixels: u32) -> Vec<Range<i64>> {
-    let (cells, pixels) = (i64::from(cells), i64::from(pixels));
-    (0..pixels).map(|p| p * cells / pixels..((p + 1) * cells / pixels).max(p * cells / pixels + 1)).collect()
+fn spans(shown: &Range<u32>, pixels: u32) -> Vec<Range<i64>> {
+    let (first, cells, pixels) = (i64::from(shown.start), shown.len() as i64, i64::from(pixels));
+    let span = |p: i64| {
+        let start = p * cells / pixels;
+        first + start..first + ((p + 1) * cells / pixels).max(start + 1)
+    };
+    (0..pixels).map(span).collect()
 }
 
 fn darkest(grid: &Grid, columns: &Range<i64>, rows: &Range<i64>) -> u8 {
@@ -183,8 +227,26 @@ mod tests {
         let mut cells = vec![Cell::FREE; width * height];
         (0..height).for_each(|row| cells[row * width + 4501] = Cell::OCCUPIED);
         let p = picture(width as u32, height as u32, cells, vec![]);
-        assert_eq!(p.width(), 4000);
+        assert_eq!(p.width(), 2400);
         assert_eq!(p.pixels().filter(|p| p.0[0] == OCCUPIED).count() as u32, p.height());
+    }
+
+    #[test]
+    fn a_small_building_in_a_large_grid_fills_the_picture() {
+        let mut cells = vec![Cell::UNKNOWN; 1000 * 800];
+        (0..100).for_each(|i| cells[(300 + i) * 1000 + 500 + i] = Cell::OCCUPIED);
+        let red = Shape::Cells { cells: vec![(500, 300), (0, 0), (999, 799)], colour: [255, 0, 0] };
+        let square =
+            [[510.0, 300.0], [520.0, 300.0], [520.0, 305.0], [510.0, 305.0]].map(Point::from).to_vec();
+        let area = Shape::Area { polygon: Polygon::new(square, vec![]), colour: [0, 0, 255] };
+        let p = picture(1000, 800, cells, vec![red, area]);
+        // 100 cells and 3 on each side, 16 pixels each.
+        assert_eq!(p.dimensions(), (1696, 1696));
+        let red: Vec<_> = p.enumerate_pixels().filter(|(.., p)| p.0 == [255, 0, 0, 255]).collect();
+        assert_eq!((red.len(), red[0].0, red[0].1), (256, 48, 1696 - 64));
+        let [r, _, b, _] = p.get_pixel(48 + 15 * 16, 1696 - 48 - 2 * 16).0;
+        assert!(b > r, "the area moves with the cells");
+        assert_eq!(p.get_pixel(48 + 15 * 16, 1696 - 48 - 6 * 16).0[0], UNKNOWN);
     }
 
     #[test]
