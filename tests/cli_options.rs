@@ -21,7 +21,7 @@ fn resolutions_that_are_none() {
         w.refuses(
             &format!("convert map.pgm -o a.svg --resolution {bad}"),
             2,
-            &[&format!("error: --set resolution={bad}: ")],
+            &[&format!("error: --resolution {bad}: ")],
         );
     }
 }

@@ -89,7 +89,11 @@ impl<'a> Opened<'a> {
 /// A setting as the user would type it.
 fn typed(Setting { plugin, name, value }: &Setting) -> String {
     let plugin = plugin.as_ref().map(|p| format!("{p}.")).unwrap_or_default();
-    format!("--set {plugin}{name}={value}")
+    match (plugin.as_str(), name.as_str()) {
+        // They have flags of their own.
+        ("", "resolution" | "anchor") => format!("--{name} {value}"),
+        _ => format!("--set {plugin}{name}={value}"),
+    }
 }
 
 fn source(path: &Path) -> Result<Source, PluginError> {
