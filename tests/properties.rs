@@ -245,12 +245,12 @@ fn other_buildings_keep_most_of_their_rooms() {
     let all: Vec<Change> = found.into_iter().flatten().collect();
     all.iter().for_each(Change::print);
     for c in &all {
-        assert!(c.rooms[0].abs_diff(c.rooms[1]) * 2 <= c.rooms[0], "{}: {:?} rooms", c.name, c.rooms);
-        assert!(c.total < 0.06, "{}: the total changes by {}", c.name, c.total);
-        assert!(c.agreement > 0.75, "{}: agreement {}", c.name, c.agreement);
+        assert!(c.rooms[0].abs_diff(c.rooms[1]) * 3 <= c.rooms[0], "{}: {:?} rooms", c.name, c.rooms);
+        assert!(c.total < 0.03, "{}: the total changes by {}", c.name, c.total);
+        assert!(c.agreement > 0.85, "{}: agreement {}", c.name, c.agreement);
     }
     let mean = all.iter().map(|c| c.agreement).sum::<f64>() / all.len() as f64;
-    assert!(mean > 0.94, "mean agreement {mean}");
+    assert!(mean > 0.96, "mean agreement {mean}");
 }
 
 /// The core works in the grid's frame, so where the grid lies changes nothing but the last digits.
