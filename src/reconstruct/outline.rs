@@ -56,7 +56,7 @@ pub fn outlines(arrangement: &Arrangement, edges: &[Edge], group: &[Option<usize
             sides[g].entry(b).or_default().push(Step { to: a, line: edge.line });
         }
     }
-    sides.into_iter().filter_map(|s| outline_of(arrangement, s)).collect()
+    sides.into_iter().map(|s| outline_of(arrangement, s)).collect()
 }
 
 /// From a vertex to the next one, with the group to the left.
@@ -66,7 +66,7 @@ struct Step {
     line: Option<usize>,
 }
 
-fn outline_of(arrangement: &Arrangement, mut sides: BTreeMap<VertexId, Vec<Step>>) -> Option<Outline> {
+fn outline_of(arrangement: &Arrangement, mut sides: BTreeMap<VertexId, Vec<Step>>) -> Outline {
     let mut rings = Vec::new();
     while let Some((&start, _)) = sides.first_key_value() {
         rings.extend(simple_rings(&trace(start, &mut sides)));
@@ -119,11 +119,11 @@ fn straighten(ring: Vec<(VertexId, Option<usize>)>) -> Vec<(VertexId, Option<usi
 
 /// The counter-clockwise ring is the exterior, the clockwise ones are its holes. Faces that hang together by edges
 /// have one exterior; should rounding make a second one, it is smaller than any room.
-fn assemble(rings: Vec<Vec<Corner>>) -> Option<Outline> {
+fn assemble(rings: Vec<Vec<Corner>>) -> Outline {
     let area = |r: &Vec<Corner>| ring_signed_area(&points(r));
     let (outer, holes): (Vec<_>, Vec<_>) = rings.into_iter().partition(|r| area(r) > 0.0);
-    let exterior = outer.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)))?;
-    Some(Outline { rings: std::iter::once(exterior).chain(holes).collect() })
+    let exterior = outer.into_iter().max_by(|a, b| area(a).total_cmp(&area(b)));
+    Outline { rings: exterior.into_iter().chain(holes).collect() }
 }
 
 #[cfg(test)]

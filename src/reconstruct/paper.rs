@@ -29,7 +29,7 @@ pub fn reconstruct(
     let map = run.map(&scene.grid)?;
     let segments = run.segments(&map)?;
     let lines = run.lines(&segments);
-    let division = run.faces(&map, lines, &segments)?;
+    let division = run.faces(&map, lines, &segments);
     let rooms = run.rooms(&division);
     Ok(run.layout(scene, &map, &division, rooms))
 }
@@ -143,12 +143,7 @@ impl Paper<'_> {
         lines::represent(&clusters, &self.params.lines)
     }
 
-    fn faces(
-        &mut self,
-        map: &Map,
-        mut lines: Vec<Line>,
-        segments: &[Segment],
-    ) -> Result<Division, ReconstructError> {
+    fn faces(&mut self, map: &Map, mut lines: Vec<Line>, segments: &[Segment]) -> Division {
         let (scale, limits) = (self.scale, &self.params.faces);
         let bounds = bounds(&map.inner, self.resolution, limits.margin);
         let clipped =
@@ -165,7 +160,7 @@ impl Paper<'_> {
         let edges = arrangement.edges();
         let weights = affinity::weights(&arrangement, &edges, &lines);
         self.draw(Step::Faces, || scale.faces(&arrangement, &edges, |f| member[f], |_| false));
-        Ok(Division { lines, representative, arrangement, edges, weights, member, bounds })
+        Division { lines, representative, arrangement, edges, weights, member, bounds }
     }
 
     fn rooms(&mut self, d: &Division) -> Clusters {

@@ -49,7 +49,7 @@
 //!
 //! # Text
 //!
-//! Versions before R2007 know code pages only: characters beyond ASCII are written as `\U+XXXX`, those beyond the
+//! Versions before R2007 know code pages only: characters beyond ASCII are written as `\U+hhhh`, those beyond the
 //! Basic Multilingual Plane as two of these (UTF-16). Later versions are UTF-8. A control character becomes a space;
 //! a line break in a name begins a new line of the label. So that `%%d` stays what it is and does not become a
 //! degree sign, a zero-width non-joiner (U+200C) parts neighbouring percent signs in drawn texts; extended data hold

@@ -17,7 +17,7 @@ except ImportError:
 
 
 def whole(text):
-    """Resolves `\\U+XXXX`, which `ezdxf.readfile` leaves to the caller, and joins surrogate pairs."""
+    """Resolves `\\U+hhhh`, which `ezdxf.readfile` leaves to the caller, and joins surrogate pairs."""
     return decode_dxf_unicode(text).encode("utf-16", "surrogatepass").decode("utf-16")
 
 
