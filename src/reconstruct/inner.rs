@@ -5,7 +5,7 @@
 
 use super::outline::Outline;
 use geo::buffer::{BufferStyle, LineJoin};
-use geo::{Area, BooleanOps, Buffer, Intersects};
+use geo::{Area, BooleanOps, Buffer, Intersects, MapCoords, RemoveRepeatedPoints, Validation};
 use planform_sdk::{Point, Polygon};
 
 /// What is nearer than this touches, metres.
@@ -132,28 +132,50 @@ fn to_geo(p: &Polygon) -> geo::Polygon {
 }
 
 /// The largest polygon without spikes, necks and slits that nobody could see, cleaned of vertices that bend nothing.
+/// Should one be left that a file's rounding would turn over, wider ones go too.
 fn largest(polygons: geo::MultiPolygon) -> Option<Polygon> {
-    let by_area = |polygons: geo::MultiPolygon| {
-        polygons.0.into_iter().max_by(|a, b| a.unsigned_area().total_cmp(&b.unsigned_area()))
-    };
-    let largest = by_area(smooth(&by_area(polygons)?))?;
+    let largest = by_area(polygons)?;
+    let mut floor = None;
+    for width in [SLIVER, 4.0 * SLIVER, 16.0 * SLIVER] {
+        floor = Some(cleaned(&by_area(smooth(&largest, width))?)?);
+        if floor.as_ref().is_some_and(survives_rounding) {
+            break;
+        }
+    }
+    floor
+}
+
+fn by_area(polygons: geo::MultiPolygon) -> Option<geo::Polygon> {
+    polygons.0.into_iter().max_by(|a, b| a.unsigned_area().total_cmp(&b.unsigned_area()))
+}
+
+fn cleaned(polygon: &geo::Polygon) -> Option<Polygon> {
     let ring = |r: &geo::LineString| clean(r.coords().map(|c| Point::new(c.x, c.y)).collect());
-    let exterior = ring(largest.exterior());
-    let holes = largest.interiors().iter().map(ring).filter(|h| h.len() > 2).collect();
+    let exterior = ring(polygon.exterior());
+    let holes = polygon.interiors().iter().map(ring).filter(|h| h.len() > 2).collect();
     (exterior.len() > 2).then(|| Polygon::new(exterior, holes))
 }
 
+/// Whether the polygon stays valid when its coordinates are rounded as files do, and a little more coarsely.
+fn survives_rounding(polygon: &Polygon) -> bool {
+    let rounded = |step: f64| {
+        to_geo(polygon)
+            .map_coords(|c| geo::coord! { x: (c.x / step).round() * step, y: (c.y / step).round() * step })
+    };
+    [1e-4, 2e-4].iter().all(|&step| rounded(step).remove_repeated_points().is_valid())
+}
+
 /// A morphological closing and opening (Serra 1982): fills slits and removes spikes and necks thinner than a few
-/// millimetres, which the cutting leaves where strips nearly meet, and which would cross themselves when a file
-/// rounds their coordinates. Mitred joins keep the corners. An opening of twice the width makes sure that no other
+/// widths, which the cutting leaves where strips nearly meet, and which would cross themselves when a file rounds
+/// their coordinates. `width` in metres. Mitred joins keep the corners. An opening of twice the width makes sure that no other
 /// floor reaches into a slit that is filled.
-fn smooth(polygon: &geo::Polygon) -> geo::MultiPolygon {
+fn smooth(polygon: &geo::Polygon, width: f64) -> geo::MultiPolygon {
     let offset = |polygons: &geo::MultiPolygon, by: f64| {
         let style = BufferStyle::new(by).line_join(LineJoin::Miter(MITRE));
         polygons.buffer_with_style(style)
     };
-    let opened = offset(&offset(&geo::MultiPolygon::new(vec![polygon.clone()]), -2.0 * SLIVER), 2.0 * SLIVER);
-    offset(&offset(&opened, SLIVER), -SLIVER)
+    let opened = offset(&offset(&geo::MultiPolygon::new(vec![polygon.clone()]), -2.0 * width), 2.0 * width);
+    offset(&offset(&opened, width), -width)
 }
 
 /// Drops the repeated last point, every vertex that lies on the line between its neighbours, and all but one of those
@@ -246,6 +268,25 @@ mod tests {
         let floor = largest(geo::MultiPolygon::new(vec![to_geo(&polygon)])).unwrap();
         assert_eq!(floor.exterior.len(), 4, "{floor:?}");
         assert!((floor.area() - 16.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_hook_that_rounding_would_turn_over_is_cut_off() {
+        let hook = [
+            [33.6085, 17.6848],
+            [33.61079, 17.0623],
+            [33.6233, 17.0623],
+            [33.61077, 17.0702],
+            [33.6174, 17.0808],
+            [36.6989, 15.1445],
+            [38.0672, 14.9937],
+            [38.0499, 17.7012],
+        ];
+        let polygon = to_geo(&Polygon::new(hook.map(Point::from).to_vec(), vec![]));
+        let before = polygon.unsigned_area();
+        let floor = largest(geo::MultiPolygon::new(vec![polygon])).unwrap();
+        assert!(survives_rounding(&floor), "{floor:?}");
+        assert!((floor.area() - before).abs() < 0.05);
     }
 
     #[test]
