@@ -105,11 +105,7 @@ impl Window {
 }
 
 fn bounds(rooms: &[RoomShape]) -> Option<(Point, Point)> {
-    let points = rooms.iter().flat_map(|r| &r.parts).flat_map(|p| &p.exterior);
-    points.fold(None, |bounds, &p| {
-        let (low, high) = bounds.unwrap_or((p, p));
-        Some((smallest(low, p), largest(high, p)))
-    })
+    planform_sdk::bounds(rooms.iter().flat_map(|r| &r.parts).flat_map(|p| p.exterior.iter().copied()))
 }
 
 fn smallest(a: Point, b: Point) -> Point {

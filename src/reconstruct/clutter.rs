@@ -4,7 +4,7 @@
 //! together over less stands alone in a room and is no part of the building.
 
 use super::ReconstructError;
-use super::raster::Mask;
+use super::raster::{Extent, Mask};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -46,34 +46,16 @@ pub fn remove(obstacles: &Mask, resolution: f64, params: &Clutter) -> Result<Mas
         });
     }
     let clusters = dbscan(obstacles, radius, params.min_points);
-    let mut boxes = vec![Extent::EMPTY; clusters.count];
+    let mut boxes: Vec<Option<Extent>> = vec![None; clusters.count];
     for (column, row) in obstacles.cells() {
         if let Some(c) = clusters.of[row * obstacles.width() + column] {
-            boxes[c].add(column, row);
+            let cell = Extent::of((column, row));
+            boxes[c] = Some(boxes[c].map_or(cell, |b| b.join(cell)));
         }
     }
-    let keep = |i: usize| clusters.of[i].is_some_and(|c| boxes[c].diagonal() * resolution >= params.extent);
+    let large = |c: usize| boxes[c].is_some_and(|b| b.diagonal() * resolution >= params.extent);
+    let keep = |i: usize| clusters.of[i].is_some_and(large);
     Ok(obstacles.with_bits((0..obstacles.bits().len()).map(keep).collect()))
-}
-
-#[derive(Clone, Copy)]
-struct Extent {
-    low: (usize, usize),
-    high: (usize, usize),
-}
-
-impl Extent {
-    const EMPTY: Self = Self { low: (usize::MAX, usize::MAX), high: (0, 0) };
-
-    fn add(&mut self, column: usize, row: usize) {
-        self.low = (self.low.0.min(column), self.low.1.min(row));
-        self.high = (self.high.0.max(column), self.high.1.max(row));
-    }
-
-    fn diagonal(&self) -> f64 {
-        let side = |low: usize, high: usize| (high + 1).saturating_sub(low) as f64;
-        side(self.low.0, self.high.0).hypot(side(self.low.1, self.high.1))
-    }
 }
 
 /// The cluster of each cell; noise and free cells have none.

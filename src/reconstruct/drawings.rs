@@ -4,7 +4,6 @@ use super::boundary::Run;
 use super::collinear::Collinears;
 use super::directions::Direction;
 use super::faces::{Arrangement, Edge};
-use super::lines::Line;
 use super::observer::{Drawing, Shape};
 use super::raster::Mask;
 use planform_sdk::{Point, Polygon, Segment};
@@ -136,23 +135,6 @@ fn marked(mask: &Mask, colour: [u8; 3]) -> Drawing {
 
 fn ends(arrangement: &Arrangement, edge: &Edge) -> Segment {
     Segment::new(arrangement.vertices[edge.ends[0]], arrangement.vertices[edge.ends[1]])
-}
-
-/// The part of a line within a rectangle, metres.
-pub fn clip(line: &Line, low: Point, high: Point) -> Option<Segment> {
-    let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
-    let mut ends: Vec<f64> = Vec::new();
-    for (i, &a) in corners.iter().enumerate() {
-        let b = corners[(i + 1) % 4];
-        let (da, db) = (line.side(a), line.side(b));
-        if (da > 0.0) != (db > 0.0) {
-            let t = da / (da - db);
-            ends.push(line.along(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))));
-        }
-    }
-    let (from, to) =
-        (ends.iter().copied().fold(f64::MAX, f64::min), ends.iter().copied().fold(f64::MIN, f64::max));
-    (from < to).then(|| Segment::new(line.point(from), line.point(to)))
 }
 
 /// Colours that neighbours in a list tell apart: the hue goes on by the golden angle.

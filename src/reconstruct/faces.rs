@@ -11,6 +11,7 @@ use planform_sdk::{Point, Polygon, ring_signed_area};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Which faces lie outside.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -213,16 +214,24 @@ pub fn shares(arrangement: &Arrangement, mask: &Mask, resolution: f64) -> Vec<f6
 /// The middles of the set cells in a convex ring, metres.
 pub fn set_cells(ring: &[Point], mask: &Mask, resolution: f64) -> Vec<Point> {
     let middle = |v: i64| (v as f64 + 0.5) * resolution;
-    let first = |from: f64| ((from / resolution - 0.5).ceil() as i64).max(0);
-    let last = |to: f64, side: usize| ((to / resolution - 0.5).floor() as i64).min(side as i64 - 1);
+    let inside = rows(ring, resolution).filter(|(row, _)| (0..mask.height() as i64).contains(row));
+    inside
+        .flat_map(|(row, columns)| {
+            let columns = columns.start.max(0)..columns.end.min(mask.width() as i64);
+            columns.filter(move |&c| mask.get(c, row)).map(move |c| Point::new(middle(c), middle(row)))
+        })
+        .collect()
+}
+
+/// The cells whose middles lie in a convex ring: each row with its columns.
+fn rows(ring: &[Point], resolution: f64) -> impl Iterator<Item = (i64, Range<i64>)> + '_ {
+    let first = move |from: f64| (from / resolution - 0.5).ceil() as i64;
+    let last = move |to: f64| (to / resolution - 0.5).floor() as i64;
     let (low, high) = ring.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p.y), h.max(p.y)));
-    let mut cells = Vec::new();
-    for row in first(low)..=last(high, mask.height()) {
-        let Some((from, to)) = span(ring, middle(row)) else { continue };
-        let columns = first(from)..=last(to, mask.width());
-        cells.extend(columns.filter(|&c| mask.get(c, row)).map(|c| Point::new(middle(c), middle(row))));
-    }
-    cells
+    (first(low)..=last(high)).filter_map(move |row| {
+        let (left, right) = span(ring, (row as f64 + 0.5) * resolution)?;
+        Some((row, first(left)..last(right) + 1))
+    })
 }
 
 /// For each row the number of set cells before each column.
@@ -248,16 +257,10 @@ impl RowSums {
     }
 
     fn share(&self, ring: &[Point], resolution: f64) -> f64 {
-        let (low, high) = ring.iter().fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p.y), h.max(p.y)));
-        let first = (low / resolution - 0.5).ceil() as i64;
-        let last = (high / resolution - 0.5).floor() as i64;
         let (mut set, mut all) = (0.0, 0.0);
-        for row in first..=last {
-            let Some((left, right)) = span(ring, (row as f64 + 0.5) * resolution) else { continue };
-            let from = (left / resolution - 0.5).ceil() as i64;
-            let to = (right / resolution - 0.5).floor() as i64 + 1;
-            all += (to - from).max(0) as f64;
-            set += f64::from(self.count(row, from, to));
+        for (row, columns) in rows(ring, resolution) {
+            all += (columns.end - columns.start).max(0) as f64;
+            set += f64::from(self.count(row, columns.start, columns.end));
         }
         if all > 0.0 { set / all } else { 0.0 }
     }

@@ -2,7 +2,6 @@
 
 use super::Params;
 use super::boundary::Run;
-use super::drawings;
 use super::inner;
 use super::lines::Line;
 use super::openings::Gap;
@@ -175,7 +174,7 @@ fn frontiers(frame: &Frame<'_>, found: &Found<'_>, params: &Params) -> Vec<Front
 fn representative_lines(frame: &Frame<'_>, division: &Division) -> Vec<RepresentativeLine> {
     let (low, high) = division.bounds;
     let line = |l: &Line| {
-        let segment = drawings::clip(l, low, high)?;
+        let segment = l.within(low, high)?;
         Some(RepresentativeLine { segment: frame.segment(segment), support: l.support })
     };
     division.lines[..division.representative].iter().filter_map(line).collect()

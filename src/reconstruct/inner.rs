@@ -6,7 +6,7 @@
 use super::outline::Outline;
 use geo::buffer::{BufferStyle, LineJoin};
 use geo::{Area, BooleanOps, Buffer, Intersects, MapCoords, RemoveRepeatedPoints, Validation};
-use planform_sdk::{Point, Polygon};
+use planform_sdk::{Point, Polygon, bounds};
 
 /// What is nearer than this touches, metres.
 const TOUCH: f64 = 1e-6;
@@ -55,23 +55,18 @@ pub fn part(floors: &mut [Option<Polygon>], outlines: &[Polygon]) {
 
 /// The pairs of floors whose boxes meet, the smaller index first, in rising order.
 fn neighbours(floors: &[Option<Polygon>]) -> Vec<(usize, usize)> {
-    let mut boxes: Vec<(usize, [f64; 4])> =
-        floors.iter().enumerate().filter_map(|(i, f)| Some((i, extent(f.as_ref()?)))).collect();
-    boxes.sort_by(|a, b| a.1[0].total_cmp(&b.1[0]));
+    let around = |floor: &Option<Polygon>| bounds(floor.iter().flat_map(|f| f.exterior.iter().copied()));
+    let mut boxes: Vec<(usize, (Point, Point))> =
+        floors.iter().enumerate().filter_map(|(i, f)| Some((i, around(f)?))).collect();
+    boxes.sort_by(|a, b| a.1.0.x.total_cmp(&b.1.0.x));
     let mut pairs = Vec::new();
-    for (k, (a, p)) in boxes.iter().enumerate() {
-        let beside = boxes[k + 1..].iter().take_while(|(_, q)| q[0] < p[2]);
-        pairs.extend(beside.filter(|(_, q)| q[1] < p[3] && p[1] < q[3]).map(|(b, _)| (*a.min(b), *a.max(b))));
+    for (k, (a, (low, high))) in boxes.iter().enumerate() {
+        let beside = boxes[k + 1..].iter().take_while(|(_, (l, _))| l.x < high.x);
+        let meeting = beside.filter(|(_, (l, h))| l.y < high.y && low.y < h.y);
+        pairs.extend(meeting.map(|(b, _)| (*a.min(b), *a.max(b))));
     }
     pairs.sort_unstable();
     pairs
-}
-
-/// The box around a polygon: low x, low y, high x, high y.
-fn extent(p: &Polygon) -> [f64; 4] {
-    p.exterior.iter().fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |b, p| {
-        [b[0].min(p.x), b[1].min(p.y), b[2].max(p.x), b[3].max(p.y)]
-    })
 }
 
 /// One side of an outline with the insets of its neighbours.

@@ -54,6 +54,23 @@ impl Line {
         Point::new(along * cos - self.offset * sin, along * sin + self.offset * cos)
     }
 
+    /// The part of the line within a rectangle, if it runs through it; metres.
+    pub fn within(&self, low: Point, high: Point) -> Option<Segment> {
+        let corners = [low, Point::new(high.x, low.y), high, Point::new(low.x, high.y)];
+        let mut ends: Vec<f64> = Vec::new();
+        for (i, &a) in corners.iter().enumerate() {
+            let b = corners[(i + 1) % 4];
+            let (da, db) = (self.side(a), self.side(b));
+            if (da > 0.0) != (db > 0.0) {
+                let t = da / (da - db);
+                ends.push(self.along(Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))));
+            }
+        }
+        let from = ends.iter().copied().fold(f64::MAX, f64::min);
+        let to = ends.iter().copied().fold(f64::MIN, f64::max);
+        (from < to).then(|| Segment::new(self.point(from), self.point(to)))
+    }
+
     /// Length of the line's part between two positions that wall segments cover, metres.
     pub fn coverage(&self, from: f64, to: f64) -> f64 {
         let (low, high) = (from.min(to), from.max(to));
@@ -143,6 +160,15 @@ mod tests {
         assert_eq!(line.coverage(2.0, 5.5), 1.5);
         assert_eq!(line.coverage(3.5, 4.5), 0.0);
         assert_eq!(line.coverage(10.0, -10.0), 4.0);
+    }
+
+    #[test]
+    fn a_line_is_clipped_to_a_rectangle() {
+        let line = &represent(&[cluster(&[[[0.0, 1.0], [2.0, 1.0]]])], &Lines::default())[0];
+        let (low, high) = (Point::new(-1.0, 0.0), Point::new(5.0, 4.0));
+        let part = line.within(low, high).unwrap();
+        assert_eq!((part.a, part.b), (Point::new(-1.0, 1.0), Point::new(5.0, 1.0)));
+        assert_eq!(line.within(Point::new(0.0, 2.0), high), None);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::faces::{Arrangement, Edge};
 use super::lines::Line;
 use super::openings::{self, Gap};
 use super::outline::{self, Outline};
-use super::raster::Mask;
+use super::raster::{Extent, Mask};
 use super::walls::{Profile, Seen};
 use super::{Drawing, Observer, Params, ReconstructError, Step};
 use super::{
@@ -20,12 +20,7 @@ pub fn reconstruct(
     params: &Params,
     observer: &mut dyn Observer,
 ) -> Result<Layout, ReconstructError> {
-    let mut run = Paper {
-        params,
-        observer,
-        scale: Scale(scene.grid.resolution()),
-        resolution: scene.grid.resolution(),
-    };
+    let mut run = Paper { params, observer, resolution: scene.grid.resolution() };
     let map = run.map(&scene.grid)?;
     let segments = run.segments(&map)?;
     let lines = run.lines(&segments);
@@ -37,7 +32,6 @@ pub fn reconstruct(
 struct Paper<'a> {
     params: &'a Params,
     observer: &'a mut dyn Observer,
-    scale: Scale,
     resolution: f64,
 }
 
@@ -49,6 +43,8 @@ pub struct Map {
     pub free: Mask,
     /// The inner area.
     pub inner: Mask,
+    /// The box around the inner area.
+    pub extent: Extent,
 }
 
 /// The area divided into faces.
@@ -112,10 +108,8 @@ impl Paper<'_> {
         let free = free.or(&obstacles.without(&walls));
         self.draw(Step::Clutter, || drawings::cleared(&obstacles, &walls));
         let inner = contour::inner_area(&free, self.resolution, limits);
-        if inner.count() == 0 {
-            return Err(ReconstructError::NoFreeSpace);
-        }
-        Ok(Map { walls, free, inner })
+        let extent = inner.extent().ok_or(ReconstructError::NoFreeSpace)?;
+        Ok(Map { walls, free, inner, extent })
     }
 
     fn segments(&mut self, map: &Map) -> Result<Vec<Segment>, ReconstructError> {
@@ -124,7 +118,7 @@ impl Paper<'_> {
         self.draw(Step::Edges, || drawings::edges(&edges));
         self.begin(Step::Segments);
         let segments = segments::detect(&edges, self.resolution, &self.params.segments);
-        let scale = self.scale;
+        let scale = Scale(self.resolution);
         self.draw(Step::Segments, || scale.segments(&segments));
         self.begin(Step::Contour);
         self.draw(Step::Contour, || drawings::area(&map.inner));
@@ -132,7 +126,7 @@ impl Paper<'_> {
     }
 
     fn lines(&mut self, segments: &[Segment]) -> Vec<Line> {
-        let scale = self.scale;
+        let scale = Scale(self.resolution);
         self.begin(Step::Directions);
         let directions = directions::cluster(segments, &self.params.directions);
         self.draw(Step::Directions, || scale.directions(&directions));
@@ -144,10 +138,9 @@ impl Paper<'_> {
     }
 
     fn faces(&mut self, map: &Map, mut lines: Vec<Line>, segments: &[Segment]) -> Division {
-        let (scale, limits) = (self.scale, &self.params.faces);
-        let bounds = bounds(&map.inner, self.resolution, limits.margin);
-        let clipped =
-            || lines.iter().filter_map(|l| drawings::clip(l, bounds.0, bounds.1)).collect::<Vec<_>>();
+        let (scale, limits) = (Scale(self.resolution), &self.params.faces);
+        let bounds = corners(map.extent, self.resolution, limits.margin);
+        let clipped = || lines.iter().filter_map(|l| l.within(bounds.0, bounds.1)).collect::<Vec<_>>();
         self.draw(Step::Lines, || scale.lines(&clipped()));
         self.begin(Step::Faces);
         let representative = lines.len();
@@ -164,7 +157,7 @@ impl Paper<'_> {
     }
 
     fn rooms(&mut self, d: &Division) -> Clusters {
-        let (scale, member) = (self.scale, |f: usize| d.member[f]);
+        let (scale, member) = (Scale(self.resolution), |f: usize| d.member[f]);
         self.begin(Step::Affinity);
         let count = d.arrangement.faces.len();
         let a = affinity::local_affinity(count, &d.edges, &d.weights, &self.params.affinity, member);
@@ -220,7 +213,7 @@ impl Paper<'_> {
         let along = built.runs.iter().zip(&built.profiles);
         let gaps: Vec<Gap> = along.flat_map(|(r, p)| openings::openings(r, p, walls)).collect();
         let partial = partial::partial_rooms(&built.clusters, &built.runs, &self.params.partial);
-        let scale = self.scale;
+        let scale = Scale(self.resolution);
         self.draw(Step::Walls, || {
             let rooms = built.floors.iter().zip(partial.iter().copied());
             scale.layout(rooms, &built.runs, gaps.iter().map(|g| g.segment))
@@ -229,13 +222,11 @@ impl Paper<'_> {
     }
 }
 
-/// The corners of the area that the set cells take, with a margin; metres.
-fn bounds(mask: &Mask, resolution: f64, margin: f64) -> (Point, Point) {
-    let (mut low, mut high) = ((f64::MAX, f64::MAX), (f64::MIN, f64::MIN));
-    for (column, row) in mask.cells() {
-        low = (low.0.min(column as f64), low.1.min(row as f64));
-        high = (high.0.max(column as f64 + 1.0), high.1.max(row as f64 + 1.0));
-    }
-    let at = |(x, y): (f64, f64), m: f64| Point::new(x * resolution + m, y * resolution + m);
-    (at(low, -margin), at(high, margin))
+/// The corners of a box of cells with a margin around it; metres.
+fn corners(extent: Extent, resolution: f64, margin: f64) -> (Point, Point) {
+    let Extent { low, high } = extent;
+    let at = |column: usize, row: usize, m: f64| {
+        Point::new(column as f64 * resolution + m, row as f64 * resolution + m)
+    };
+    (at(low.0, low.1, -margin), at(high.0 + 1, high.1 + 1, margin))
 }

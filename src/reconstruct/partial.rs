@@ -90,10 +90,9 @@ pub fn partial_faces(
 ) -> Vec<bool> {
     let mut partial = vec![false; arrangement.faces.len()];
     for (edge, _) in edges.iter().zip(weights).filter(|(_, w)| **w < params.weight) {
-        let outside = edge.right.is_none_or(|f| !member(f));
-        match edge.right {
-            _ if member(edge.left) && outside => partial[edge.left] = true,
-            Some(right) if member(right) && !member(edge.left) => partial[right] = true,
+        match (member(edge.left), edge.right.filter(|&f| member(f))) {
+            (true, None) => partial[edge.left] = true,
+            (false, Some(right)) => partial[right] = true,
             _ => {}
         }
     }

@@ -55,6 +55,7 @@ impl Mask {
     }
 
     /// How many bits are set.
+    #[cfg(test)]
     pub fn count(&self) -> usize {
         self.bits.iter().filter(|&&b| b).count()
     }
@@ -62,6 +63,11 @@ impl Mask {
     /// The set cells as (column, row), row by row.
     pub fn cells(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.bits.iter().enumerate().filter(|(_, b)| **b).map(|(i, _)| (i % self.width, i / self.width))
+    }
+
+    /// The box around the set cells, or `None` if there are none.
+    pub fn extent(&self) -> Option<Extent> {
+        self.cells().map(Extent::of).reduce(Extent::join)
     }
 
     /// Sets every cell that the other mask sets.
@@ -108,6 +114,34 @@ impl Mask {
     }
 }
 
+/// A box of cells: its lowest and its highest column and row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Extent {
+    /// Lowest column and row.
+    pub low: (usize, usize),
+    /// Highest column and row.
+    pub high: (usize, usize),
+}
+
+impl Extent {
+    /// The box of one cell.
+    pub fn of(cell: (usize, usize)) -> Self {
+        Self { low: cell, high: cell }
+    }
+
+    /// The box around both.
+    pub fn join(self, other: Self) -> Self {
+        let low = (self.low.0.min(other.low.0), self.low.1.min(other.low.1));
+        Self { low, high: (self.high.0.max(other.high.0), self.high.1.max(other.high.1)) }
+    }
+
+    /// Length of the diagonal, in cells.
+    pub fn diagonal(self) -> f64 {
+        let side = |low: usize, high: usize| (high + 1 - low) as f64;
+        side(self.low.0, self.high.0).hypot(side(self.low.1, self.high.1))
+    }
+}
+
 /// Steps to the four neighbours, then to the four at the corners.
 const EIGHT: [(i64, i64); 8] = [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)];
 
@@ -147,6 +181,14 @@ pub mod tests {
         let m = mask(&["#..", ".#.", "..#"]);
         assert_eq!(m.components(false).sizes, [1, 1, 1]);
         assert_eq!(m.components(true).sizes, [3]);
+    }
+
+    #[test]
+    fn the_extent_is_around_all_set_cells() {
+        let extent = mask(&["....", ".#..", "...#"]).extent().unwrap();
+        assert_eq!((extent.low, extent.high), ((1, 0), (3, 1)));
+        assert!((extent.diagonal() - 13f64.sqrt()).abs() < 1e-12);
+        assert_eq!(mask(&["...."]).extent(), None);
     }
 
     #[test]

@@ -39,9 +39,9 @@ pub fn cluster(
     params: &Rooms,
     member: impl Fn(usize) -> bool,
 ) -> Vec<Option<usize>> {
+    let members = |faces: Vec<usize>| faces.into_iter().filter(|&f| member(f)).collect();
     let near: Vec<Vec<usize>> = (0..affinity.len())
-        .map(|f| if member(f) { neighbourhood(affinity, f, params) } else { Vec::new() })
-        .map(|near| near.into_iter().filter(|&f| member(f)).collect())
+        .map(|f| if member(f) { members(neighbourhood(affinity, f, params)) } else { Vec::new() })
         .collect();
     let core: Vec<bool> = near.iter().map(|n| !n.is_empty() && n.len() >= params.min_points).collect();
     let mut of = vec![None; affinity.len()];

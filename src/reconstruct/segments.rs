@@ -5,7 +5,7 @@
 //! of the segment found neither vote nor count any more.
 
 use super::random::mix;
-use super::raster::Mask;
+use super::raster::{Extent, Mask};
 use planform_sdk::{Point, Segment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -64,14 +64,8 @@ struct Centre {
 
 impl Centre {
     fn of(edges: &Mask) -> Option<Self> {
-        let ends = |v: &mut dyn Iterator<Item = usize>| {
-            v.fold(None, |ends: Option<(usize, usize)>, v| {
-                Some(ends.map_or((v, v), |(l, h)| (l.min(v), h.max(v))))
-            })
-        };
-        let columns = ends(&mut edges.cells().map(|c| c.0))?;
-        let rows = ends(&mut edges.cells().map(|c| c.1))?;
-        Some(Self { twice: ((columns.0 + columns.1) as i64, (rows.0 + rows.1) as i64) })
+        let Extent { low, high } = edges.extent()?;
+        Some(Self { twice: ((low.0 + high.0) as i64, (low.1 + high.1) as i64) })
     }
 
     /// A cell's position from the centre, in half cells.
@@ -95,8 +89,8 @@ enum Edge {
     Voted,
 }
 
-struct Search {
-    edges: Mask,
+struct Search<'a> {
+    edges: &'a Mask,
     centre: Centre,
     state: Vec<Edge>,
     votes: Vec<u16>,
@@ -108,8 +102,8 @@ struct Search {
     max_gap: u32,
 }
 
-impl Search {
-    fn new(edges: &Mask, centre: Centre, resolution: f64, params: &Segments) -> Self {
+impl<'a> Search<'a> {
+    fn new(edges: &'a Mask, centre: Centre, resolution: f64, params: &Segments) -> Self {
         let step = (params.distance_step / resolution).max(1.0);
         let angles = ((PI / params.angle_step).round() as usize).max(4);
         let trig =
@@ -118,7 +112,7 @@ impl Search {
         let cells = |metres: f64, least: f64| (metres / resolution).round().max(least);
         Self {
             state: edges.bits().iter().map(|&b| if b { Edge::Silent } else { Edge::None }).collect(),
-            edges: edges.clone(),
+            edges,
             centre,
             votes: vec![0; angles * distances],
             trig: trig.collect(),
@@ -155,13 +149,17 @@ impl Search {
 
     /// Adds a cell's votes; returns the angle of its strongest line if that has votes enough.
     fn vote(&mut self, cell: (i64, i64)) -> Option<usize> {
-        let mut votes = Vec::with_capacity(self.trig.len());
-        for angle in 0..self.trig.len() {
+        let angles = 0..self.trig.len();
+        let mut most = 0;
+        for angle in angles.clone() {
             let slot = self.slot(angle, cell);
             self.votes[slot] = self.votes[slot].saturating_add(1);
-            votes.push(self.votes[slot]);
+            most = most.max(self.votes[slot]);
         }
-        let most = votes.iter().copied().max().filter(|&most| most >= self.threshold)?;
+        if most < self.threshold {
+            return None;
+        }
+        let votes: Vec<u16> = angles.map(|angle| self.votes[self.slot(angle, cell)]).collect();
         middle_of_ties(&votes, most)
     }
 

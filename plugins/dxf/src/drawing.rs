@@ -2,7 +2,7 @@
 
 use crate::entity::Entity;
 use crate::{annotations, rooms, walls};
-use planform_sdk::{Boundary, Layout, Point};
+use planform_sdk::{Boundary, Layout, Point, bounds};
 
 /// The entities of a drawing and their bounds.
 pub struct Drawing {
@@ -21,13 +21,6 @@ impl Drawing {
         entities.extend(layout.frontiers.iter().map(annotations::frontier));
         entities.extend(layout.texts.iter().filter_map(annotations::text));
         entities.extend(layout.symbols.iter().filter_map(annotations::symbol));
-        Self { bounds: bounds(&entities), entities }
+        Self { bounds: bounds(entities.iter().flat_map(|e| e.shape.corners())), entities }
     }
-}
-
-fn bounds(entities: &[Entity]) -> Option<(Point, Point)> {
-    entities.iter().flat_map(|e| e.shape.corners()).fold(None, |bounds, p| {
-        let (lo, hi) = bounds.unwrap_or((p, p));
-        Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
-    })
 }

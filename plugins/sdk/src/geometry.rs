@@ -158,6 +158,20 @@ fn edges(ring: &[Point]) -> impl Iterator<Item = (Point, Point)> {
     ring.iter().copied().zip(ring.iter().copied().cycle().skip(1))
 }
 
+/// The smallest and the largest coordinates of the points, or `None` if there are none.
+///
+/// ```
+/// # use planform_sdk::{Point, bounds};
+/// let box_around = bounds([Point::new(1.0, 5.0), Point::new(3.0, 2.0)]);
+/// assert_eq!(box_around, Some((Point::new(1.0, 2.0), Point::new(3.0, 5.0))));
+/// ```
+pub fn bounds(points: impl IntoIterator<Item = Point>) -> Option<(Point, Point)> {
+    points.into_iter().fold(None, |bounds, p| {
+        let (lo, hi) = bounds.unwrap_or((p, p));
+        Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
+    })
+}
+
 /// Area of an open ring, square metres: positive when it runs counter-clockwise.
 pub fn ring_signed_area(ring: &[Point]) -> f64 {
     let Some(&o) = ring.first() else { return 0.0 };

@@ -1,6 +1,6 @@
 //! The layout of a building: the result of a reconstruction.
 
-use crate::{GeoAnchor, Point, Polygon, Provenance, Segment, Symbol, Text};
+use crate::{GeoAnchor, Point, Polygon, Provenance, Segment, Symbol, Text, bounds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -160,10 +160,7 @@ impl Layout {
         let rooms =
             self.rooms.iter().flat_map(|r| r.centre.exterior.iter().chain(&r.inner.exterior)).copied();
         let walls = self.walls.iter().flat_map(|w| [w.line.a, w.line.b]);
-        rooms.chain(walls).fold(None, |bounds, p| {
-            let (lo, hi) = bounds.unwrap_or((p, p));
-            Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
-        })
+        bounds(rooms.chain(walls))
     }
 }
 

@@ -26,7 +26,7 @@ pub use adapter::{Confidence, InputAdapter, Probe, Source};
 pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
 pub use exporter::{Document, Exporter};
-pub use geometry::{Point, Polygon, Pose, Segment, ring_signed_area};
+pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};
 pub use layout::{
     Frontier, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph, RoomId,

@@ -1,7 +1,7 @@
 //! The sheet: which part of the map frame it shows, and how map points lie on it.
 
 use crate::element::number;
-use planform_sdk::{ErrorKind, Layout, PluginError, Point, Pose};
+use planform_sdk::{ErrorKind, Layout, PluginError, Point, Pose, bounds};
 
 /// Side of the sheet of a layout without anything in it, metres.
 const EMPTY: f64 = 10.0;
@@ -25,8 +25,7 @@ impl Sheet {
         if let Some(p) = points().find(|p| !(p.x.is_finite() && p.y.is_finite())) {
             return Err(unusable(format!("the layout has a point at ({}, {})", p.x, p.y)));
         }
-        let inside = points().fold(None, extend);
-        let (lo, hi) = inside.unwrap_or((Point::default(), Point::new(EMPTY, EMPTY)));
+        let (lo, hi) = bounds(points()).unwrap_or((Point::default(), Point::new(EMPTY, EMPTY)));
         Self::with_margin(lo, hi)
     }
 
@@ -71,11 +70,6 @@ impl Sheet {
 fn unusable(what: String) -> PluginError {
     PluginError::new(ErrorKind::BadInput, format!("{what}, which cannot be drawn"))
         .advise("correct the layout")
-}
-
-fn extend(bounds: Option<(Point, Point)>, p: Point) -> Option<(Point, Point)> {
-    let (lo, hi) = bounds.unwrap_or((p, p));
-    Some((Point::new(lo.x.min(p.x), lo.y.min(p.y)), Point::new(hi.x.max(p.x), hi.y.max(p.y))))
 }
 
 /// Every point that is drawn.
