@@ -25,30 +25,15 @@ use std::io::Write;
 /// # Ok::<(), planform_sdk::PluginError>(())
 /// ```
 pub fn exporter() -> Box<dyn Exporter> {
-    Box::new(Dxf { info: info() })
+    planform_sdk::exporter(info(), write)
 }
 
-struct Dxf {
-    info: PluginInfo,
-}
-
-impl Exporter for Dxf {
-    fn info(&self) -> &PluginInfo {
-        &self.info
-    }
-
-    fn write(
-        &self,
-        document: &Document<'_>,
-        options: &Options,
-        out: &mut dyn Write,
-    ) -> Result<(), PluginError> {
-        let ring = Boundary::chosen(options);
-        check(document.layout, ring)?;
-        let drawing = Drawing::of(document.layout, ring);
-        out.write_all(&file(&drawing, version(options)))?;
-        Ok(())
-    }
+fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
+    let ring = Boundary::chosen(options);
+    check(document.layout, ring)?;
+    let drawing = Drawing::of(document.layout, ring);
+    out.write_all(&file(&drawing, version(options)))?;
+    Ok(())
 }
 
 fn version(options: &Options) -> Version {

@@ -37,35 +37,20 @@ mod options;
 
 use frame::Frame;
 use geojson::Feature;
-use planform_sdk::{Document, Exporter, Layout, Options, PluginError, PluginInfo};
+use planform_sdk::{Document, Exporter, Layout, Options, PluginError};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
 /// The exporter `geojson`.
 pub fn exporter() -> Box<dyn Exporter> {
-    Box::new(GeoJson { info: options::info() })
+    planform_sdk::exporter(options::info(), write)
 }
 
-struct GeoJson {
-    info: PluginInfo,
-}
-
-impl Exporter for GeoJson {
-    fn info(&self) -> &PluginInfo {
-        &self.info
-    }
-
-    fn write(
-        &self,
-        document: &Document<'_>,
-        options: &Options,
-        out: &mut dyn Write,
-    ) -> Result<(), PluginError> {
-        let anchor = anchor::choose(options.text("anchor"), document.layout.anchor)?;
-        let frame = anchor.map_or(Frame::Map, Frame::Earth);
-        let features = features::all(document.layout, &frame, options)?;
-        Ok(write_collection(&members(document.layout, &frame), &features, out)?)
-    }
+fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
+    let anchor = anchor::choose(options.text("anchor"), document.layout.anchor)?;
+    let frame = anchor.map_or(Frame::Map, Frame::Earth);
+    let features = features::all(document.layout, &frame, options)?;
+    Ok(write_collection(&members(document.layout, &frame), &features, out)?)
 }
 
 /// The members of the collection in front of its features.

@@ -27,3 +27,32 @@ pub struct Document<'a> {
     /// Its scene: the grid picture under a drawing, for example.
     pub scene: Option<&'a Scene>,
 }
+
+/// Writes a document with options, as [`Exporter::write`] does.
+pub type WriteFn = fn(&Document<'_>, &Options, &mut dyn Write) -> Result<(), PluginError>;
+
+/// An exporter that is no more than a function.
+struct Function {
+    info: PluginInfo,
+    write: WriteFn,
+}
+
+impl Exporter for Function {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn write(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        out: &mut dyn Write,
+    ) -> Result<(), PluginError> {
+        (self.write)(document, options, out)
+    }
+}
+
+/// The exporter that writes with this function: what most formats need.
+pub fn exporter(info: PluginInfo, write: WriteFn) -> Box<dyn Exporter> {
+    Box::new(Function { info, write })
+}

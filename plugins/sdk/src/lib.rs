@@ -25,7 +25,7 @@ mod scene;
 pub use adapter::{Confidence, InputAdapter, Probe, Source};
 pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
-pub use exporter::{Document, Exporter};
+pub use exporter::{Document, Exporter, WriteFn, exporter};
 pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};
 pub use layout::{

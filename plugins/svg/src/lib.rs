@@ -36,7 +36,7 @@ mod walls;
 use element::{layer, number, title, with_text};
 use picture::Part;
 use planform_sdk::{
-    Boundary, Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, PluginInfo, Point, Scene,
+    Boundary, Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, Point, Scene,
 };
 use sheet::Sheet;
 use std::io::Write;
@@ -44,28 +44,13 @@ use svg::node::element::{Group, Rectangle, SVG, Style};
 
 /// The exporter `svg`.
 pub fn exporter() -> Box<dyn Exporter> {
-    Box::new(Svg { info: options::info() })
+    planform_sdk::exporter(options::info(), write)
 }
 
-struct Svg {
-    info: PluginInfo,
-}
-
-impl Exporter for Svg {
-    fn info(&self) -> &PluginInfo {
-        &self.info
-    }
-
-    fn write(
-        &self,
-        document: &Document<'_>,
-        options: &Options,
-        out: &mut dyn Write,
-    ) -> Result<(), PluginError> {
-        let drawing = draw(document, options)?;
-        writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{drawing}")?;
-        Ok(())
-    }
+fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
+    let drawing = draw(document, options)?;
+    writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{drawing}")?;
+    Ok(())
 }
 
 fn draw(document: &Document<'_>, options: &Options) -> Result<SVG, PluginError> {
