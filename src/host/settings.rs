@@ -75,13 +75,13 @@ fn names_of(plugin: &PluginInfo) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planform_sdk::{OptionKind, OptionSpec};
+    use planform_sdk::{Bounds, OptionKind, OptionSpec};
 
     fn plugin(name: &str, options: &[&str]) -> PluginInfo {
         let spec = |name: &&str| OptionSpec {
             name: name.to_string(),
             help: String::new(),
-            kind: OptionKind::Number { above: Some(0.0), max: None },
+            kind: OptionKind::Number(Bounds::above(0.0)),
             default: None,
         };
         PluginInfo {

@@ -16,6 +16,8 @@ pub enum ErrorKind {
     BadOption,
     /// The operating system refused to read or write.
     Io,
+    /// The plugin itself failed, whatever the document: it has a bug, or it took more time or memory than it may.
+    Plugin,
 }
 
 /// Where in a document the fault lies.

@@ -17,6 +17,7 @@ const MAX_DISTANCE: f64 = 1e9;
 
 /// What is known of one cell: an occupancy of 0 (free) to 100 (occupied) percent, or nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(transparent)]
 pub struct Cell(i8);
 
 impl Cell {
@@ -30,6 +31,22 @@ impl Cell {
     /// A cell occupied to this many percent; more than 100 counts as 100.
     pub const fn percent(occupancy: u8) -> Self {
         Self(if occupancy > 100 { 100 } else { occupancy as i8 })
+    }
+
+    /// The cell that `nav_msgs/OccupancyGrid` writes as this number: 0 to 100, or -1 for unknown. Others mean nothing.
+    ///
+    /// ```
+    /// # use planform_sdk::Cell;
+    /// assert_eq!(Cell::of_ros(-1), Some(Cell::UNKNOWN));
+    /// assert_eq!(Cell::of_ros(101), None);
+    /// ```
+    pub const fn of_ros(value: i8) -> Option<Self> {
+        if value >= -1 && value <= 100 { Some(Self(value)) } else { None }
+    }
+
+    /// The number that `nav_msgs/OccupancyGrid` writes for this cell.
+    pub const fn to_ros(self) -> i8 {
+        self.0
     }
 
     /// Percent occupied, or `None` when unknown.

@@ -12,6 +12,7 @@
 //!
 //! The crate has no opinion on formats and no knowledge of the reconstruction.
 
+pub mod abi;
 mod adapter;
 mod boundary;
 mod error;
@@ -21,6 +22,7 @@ mod grid;
 mod layout;
 mod options;
 mod scene;
+pub mod schema;
 
 pub use adapter::{Confidence, InputAdapter, Probe, Source};
 pub use boundary::Boundary;
@@ -32,5 +34,5 @@ pub use layout::{
     Frontier, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph, RoomId,
     RoomState, Wall,
 };
-pub use options::{OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
-pub use scene::{GeoAnchor, Provenance, Scene, Symbol, Text};
+pub use options::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
+pub use scene::{Annotations, GeoAnchor, Provenance, Scene, Symbol, Text};

@@ -1,6 +1,8 @@
 //! What a plugin says of itself, and the options it takes.
 
 use crate::{ErrorKind, PluginError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -39,13 +41,8 @@ pub struct OptionSpec {
 /// What values an option takes.
 #[derive(Debug, Clone, PartialEq)]
 pub enum OptionKind {
-    /// A finite number above `above` (if given) and at most `max` (if given).
-    Number {
-        /// Exclusive lower bound.
-        above: Option<f64>,
-        /// Inclusive upper bound.
-        max: Option<f64>,
-    },
+    /// A finite number within these bounds.
+    Number(Bounds),
     /// `true` or `false`.
     Flag,
     /// One of these words.
@@ -54,8 +51,55 @@ pub enum OptionKind {
     Text,
 }
 
+/// What numbers an option takes. By default, all.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Bounds {
+    /// Only numbers above this one.
+    pub above: Option<f64>,
+    /// No number below this one.
+    pub min: Option<f64>,
+    /// Only numbers below this one.
+    pub below: Option<f64>,
+    /// No number above this one.
+    pub max: Option<f64>,
+    /// Only whole numbers.
+    pub whole: bool,
+}
+
+impl Bounds {
+    /// The numbers above this one.
+    pub fn above(above: f64) -> Self {
+        Self { above: Some(above), ..Self::default() }
+    }
+
+    /// Whether the number is finite and within these bounds.
+    pub fn contains(&self, v: f64) -> bool {
+        v.is_finite()
+            && self.above.is_none_or(|a| v > a)
+            && self.min.is_none_or(|m| v >= m)
+            && self.below.is_none_or(|b| v < b)
+            && self.max.is_none_or(|m| v <= m)
+            && (!self.whole || v.fract() == 0.0)
+    }
+}
+
+/// In words: "a number above 0".
+impl fmt::Display for Bounds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.whole { "a whole number" } else { "a number" })?;
+        let bounds = [
+            ("above", self.above),
+            ("of at least", self.min),
+            ("below", self.below),
+            ("of at most", self.max),
+        ];
+        bounds.iter().try_for_each(|(words, bound)| bound.map_or(Ok(()), |b| write!(f, " {words} {b}")))
+    }
+}
+
 /// The value of an option.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
 pub enum OptionValue {
     /// A number.
     Number(f64),
@@ -66,7 +110,9 @@ pub enum OptionValue {
 }
 
 /// The options of one run of a plugin: every value checked against its [`OptionSpec`], defaults filled in.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// As JSON, an object of them.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[serde(transparent)]
 pub struct Options(BTreeMap<String, OptionValue>);
 
 impl OptionSpec {
@@ -95,21 +141,22 @@ impl OptionSpec {
                 Ok(OptionValue::Text(value.into()))
             }
             OptionKind::Choice(_) => Err(self.refuse(value)),
-            OptionKind::Number { above, max } => self.parse_number(value, *above, *max),
+            OptionKind::Number(bounds) => match value.trim().parse() {
+                Ok(v) if bounds.contains(v) => Ok(OptionValue::Number(v)),
+                _ => Err(self.refuse(value)),
+            },
         }
     }
 
-    fn parse_number(
-        &self,
-        value: &str,
-        above: Option<f64>,
-        max: Option<f64>,
-    ) -> Result<OptionValue, PluginError> {
-        let in_range = |v: f64| v.is_finite() && above.is_none_or(|a| v > a) && max.is_none_or(|m| v <= m);
-        match value.trim().parse() {
-            Ok(v) if in_range(v) => Ok(OptionValue::Number(v)),
-            _ => Err(self.refuse(value)),
-        }
+    /// Checks a value that is typed already.
+    pub fn check(&self, value: OptionValue) -> Result<OptionValue, PluginError> {
+        let fits = match (&self.kind, &value) {
+            (OptionKind::Number(bounds), OptionValue::Number(v)) => bounds.contains(*v),
+            (OptionKind::Choice(words), OptionValue::Text(v)) => words.contains(v),
+            (OptionKind::Flag, OptionValue::Flag(_)) | (OptionKind::Text, OptionValue::Text(_)) => true,
+            _ => false,
+        };
+        if fits { Ok(value) } else { Err(self.refuse(&value.to_string())) }
     }
 
     fn refuse(&self, value: &str) -> PluginError {
@@ -125,11 +172,7 @@ impl fmt::Display for OptionKind {
             Self::Text => f.write_str("any text"),
             Self::Flag => f.write_str("true or false"),
             Self::Choice(words) => write!(f, "one of {}", words.join(", ")),
-            Self::Number { above, max } => {
-                f.write_str("a number")?;
-                above.map_or(Ok(()), |a| write!(f, " above {a}"))?;
-                max.map_or(Ok(()), |m| write!(f, " of at most {m}"))
-            }
+            Self::Number(bounds) => bounds.fmt(f),
         }
     }
 }
@@ -158,6 +201,24 @@ impl Options {
             values.insert(name.into(), spec.parse(value)?);
         }
         Ok(Self(values))
+    }
+
+    /// Checks these values against the specs and fills in the defaults.
+    pub fn of_values(
+        specs: &[OptionSpec],
+        given: impl IntoIterator<Item = (String, OptionValue)>,
+    ) -> Result<Self, PluginError> {
+        let mut options = Self::parse(specs, [])?;
+        for (name, value) in given {
+            let spec = specs.iter().find(|s| s.name == name).ok_or_else(|| unknown(specs, &name))?;
+            options.0.insert(name, spec.check(value)?);
+        }
+        Ok(options)
+    }
+
+    /// All names and values, in the order of the names.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &OptionValue)> {
+        self.0.iter().map(|(name, value)| (name.as_str(), value))
     }
 
     /// The number of this name, if set.
@@ -197,11 +258,7 @@ mod tests {
         let spec =
             |name: &str, kind, default| OptionSpec { name: name.into(), help: String::new(), kind, default };
         vec![
-            spec(
-                "resolution",
-                OptionKind::Number { above: Some(0.0), max: None },
-                Some(OptionValue::Number(0.05)),
-            ),
+            spec("resolution", OptionKind::Number(Bounds::above(0.0)), Some(OptionValue::Number(0.05))),
             spec("version", OptionKind::Choice(vec!["R12".into(), "R2000".into()]), None),
             spec("grid", OptionKind::Flag, None),
         ]

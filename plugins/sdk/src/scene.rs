@@ -24,8 +24,41 @@ pub struct Scene {
 impl Scene {
     /// A scene of nothing but a grid.
     pub fn of_grid(grid: Grid, provenance: Provenance) -> Self {
-        Self { grid, texts: vec![], symbols: vec![], anchor: None, provenance, warnings: vec![] }
+        Self::new(grid, Annotations { provenance, ..Annotations::default() })
     }
+
+    /// A scene of a grid and these annotations.
+    pub fn new(grid: Grid, annotations: Annotations) -> Self {
+        let Annotations { texts, symbols, anchor, provenance, warnings } = annotations;
+        Self { grid, texts, symbols, anchor, provenance, warnings }
+    }
+
+    /// All but the grid.
+    pub fn annotations(&self) -> Annotations {
+        let Self { grid: _, texts, symbols, anchor, provenance, warnings } = self;
+        Annotations {
+            texts: texts.clone(),
+            symbols: symbols.clone(),
+            anchor: *anchor,
+            provenance: provenance.clone(),
+            warnings: warnings.clone(),
+        }
+    }
+}
+
+/// All of a scene but its grid: what crosses to plugins and between processes as JSON.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Annotations {
+    /// The texts found, in the map frame.
+    pub texts: Vec<Text>,
+    /// The symbols found, in the map frame.
+    pub symbols: Vec<Symbol>,
+    /// Where the map frame lies on the Earth, if the document says so.
+    pub anchor: Option<GeoAnchor>,
+    /// Where it all came from.
+    pub provenance: Provenance,
+    /// What the reader should know: one sentence each, for the user's eyes.
+    pub warnings: Vec<String>,
 }
 
 /// Where a scene came from.

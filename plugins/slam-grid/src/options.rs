@@ -1,6 +1,8 @@
 //! What the adapter says of itself, and its options.
 
-use planform_sdk::{ErrorKind, OptionKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo};
+use planform_sdk::{
+    Bounds, ErrorKind, OptionKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo,
+};
 
 /// The adapter's name.
 pub const NAME: &str = "slam-grid";
@@ -53,7 +55,7 @@ fn specs() -> Vec<OptionSpec> {
         spec(
             "resolution",
             "Metres per pixel; 0.05 for a bare picture, and what it says for a YAML file",
-            OptionKind::Number { above: Some(0.0), max: None },
+            OptionKind::Number(Bounds::above(0.0)),
             None,
         ),
         spec(

@@ -1,6 +1,6 @@
 //! What the plugin says of itself.
 
-use planform_sdk::{Boundary, OptionKind, OptionSpec, OptionValue, PluginInfo};
+use planform_sdk::{Boundary, Bounds, OptionKind, OptionSpec, OptionValue, PluginInfo};
 
 /// Name, extensions, options.
 pub fn info() -> PluginInfo {
@@ -22,6 +22,6 @@ pub fn info() -> PluginInfo {
 
 fn scale() -> OptionSpec {
     let help = "scale of the drawing on paper: 100 means 1:100, one metre as 10 mm";
-    let kind = OptionKind::Number { above: Some(0.0), max: Some(1e6) };
+    let kind = OptionKind::Number(Bounds { max: Some(1e6), ..Bounds::above(0.0) });
     OptionSpec::new("scale", help, kind, Some(OptionValue::Number(100.0)))
 }

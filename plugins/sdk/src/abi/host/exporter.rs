@@ -1,0 +1,145 @@
+//! A library's exporter.
+#![allow(unsafe_code)]
+
+use super::fault::{Fault, of_plugin};
+use super::json::Json;
+use super::{LoadError, info};
+use crate::abi::guard::guard;
+use crate::abi::table::look;
+use crate::abi::{
+    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_THREAD_SAFE, PlanformDocument, PlanformExporter,
+    PlanformGrid, PlanformOutput, PlanformProblem, PlanformStatus,
+};
+use crate::{Document, Exporter, Options, PluginError, PluginInfo};
+use std::ffi::c_void;
+use std::io::Write;
+use std::ptr;
+use std::slice;
+use std::sync::{Mutex, PoisonError};
+
+/// An exporter by its table.
+pub struct AbiExporter {
+    table: &'static PlanformExporter,
+    info: PluginInfo,
+    /// Held during calls of a library that does not claim to be safe with threads.
+    lock: Option<&'static Mutex<()>>,
+}
+
+// SAFETY: the table is valid for ever and constant; calls are made one at a time unless the plugin claims that they
+// may be made from several threads at once.
+unsafe impl Send for AbiExporter {}
+// SAFETY: as above.
+unsafe impl Sync for AbiExporter {}
+
+impl AbiExporter {
+    /// The exporter of this table; `lock` is held during its calls if it needs that.
+    ///
+    /// # Safety
+    ///
+    /// `table` is NULL or an exporter's table of a library that keeps to the ABI and is never unloaded.
+    pub(super) unsafe fn new(
+        table: *const PlanformExporter,
+        lock: &'static Mutex<()>,
+    ) -> Result<Self, LoadError> {
+        // SAFETY: as the caller promises.
+        let table: &'static PlanformExporter = unsafe { look(table) }?;
+        // SAFETY: as the caller promises.
+        let (info, flags) = unsafe { info::read(table.info) }?;
+        if table.write.is_none() {
+            return Err(LoadError::NoFunction { name: info.name, function: "write" });
+        }
+        Ok(Self { table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
+    }
+
+    /// Whether it claims that it may be called from several threads at once.
+    pub fn is_thread_safe(&self) -> bool {
+        self.lock.is_none()
+    }
+}
+
+impl Exporter for AbiExporter {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn write(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        out: &mut dyn Write,
+    ) -> Result<(), PluginError> {
+        let (layout, options) = (Json::new(document.layout)?, Json::new(options)?);
+        let scene = document.scene.map(|scene| Json::new(&scene.annotations())).transpose()?;
+        let grid = document.scene.map(|scene| PlanformGrid::of(&scene.grid));
+        let (layout, scene) = (layout.as_table(), scene.as_ref().map(Json::as_table));
+        let crossing = PlanformDocument {
+            size: size_of::<PlanformDocument>(),
+            layout: &layout,
+            grid: grid.as_ref().map_or(ptr::null(), ptr::from_ref),
+            scene: scene.as_ref().map_or(ptr::null(), ptr::from_ref),
+        };
+        let receiver = Receiver(Mutex::new(Receiving { out, fault: Fault::default() }));
+        let output = PlanformOutput {
+            size: size_of::<PlanformOutput>(),
+            context: ptr::from_ref(&receiver).cast_mut().cast(),
+            write,
+            fail,
+        };
+        let _locked = self.lock.map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner));
+        let Some(write) = self.table.write else { return Err(of_plugin("it has no function `write`")) };
+        // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
+        let status = unsafe { write(self.table, &crossing, &options.as_table(), &output) };
+        receiver.0.into_inner().unwrap_or_else(PoisonError::into_inner).fault.end(status)
+    }
+}
+
+/// An output being written.
+struct Receiving<'a> {
+    out: &'a mut dyn Write,
+    fault: Fault,
+}
+
+/// The same, behind a lock: an exporter may call from several threads.
+struct Receiver<'a>(Mutex<Receiving<'a>>);
+
+/// Does something with the output of a call.
+///
+/// # Safety
+///
+/// `context` is that of an output whose call has not ended.
+unsafe fn with(
+    context: *mut c_void,
+    work: impl FnOnce(&mut Receiving<'_>) -> PlanformStatus,
+) -> PlanformStatus {
+    // SAFETY: as the caller promises.
+    let receiver = unsafe { &*context.cast::<Receiver<'_>>() };
+    guard(|| work(&mut receiver.0.lock().unwrap_or_else(PoisonError::into_inner)))
+        .unwrap_or(PLANFORM_PLUGIN_FAULT)
+}
+
+unsafe extern "C" fn write(context: *mut c_void, bytes: *const u8, length: usize) -> PlanformStatus {
+    let work = |receiving: &mut Receiving<'_>| {
+        if receiving.fault.is_there() {
+            return PLANFORM_PLUGIN_FAULT;
+        }
+        if length == 0 {
+            return PLANFORM_OK;
+        }
+        if bytes.is_null() {
+            return receiving.fault.note(of_plugin("it writes from a null pointer"));
+        }
+        // SAFETY: not NULL; the plugin promises that the bytes live until this returns.
+        let bytes = unsafe { slice::from_raw_parts(bytes, length) };
+        match receiving.out.write_all(bytes) {
+            Ok(()) => PLANFORM_OK,
+            Err(e) => receiving.fault.note(e.into()),
+        }
+    };
+    // SAFETY: the plugin hands back the context that it was given, during the call.
+    unsafe { with(context, work) }
+}
+
+unsafe extern "C" fn fail(context: *mut c_void, problem: *const PlanformProblem) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a problem of its own.
+    unsafe { with(context, |receiving| receiving.fault.note_problem(problem)) }
+}

@@ -1,0 +1,243 @@
+//! Takes what an adapter finds in a document. What an adapter hands over is looked at before it is believed.
+#![allow(unsafe_code)]
+
+use super::fault::{Fault, of_plugin};
+use crate::abi::guard::guard;
+use crate::abi::table::{Table, look};
+use crate::abi::{
+    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PlanformAnchor, PlanformGrid, PlanformProblem, PlanformSceneSink,
+    PlanformStatus, PlanformString, PlanformSymbol, PlanformText,
+};
+use crate::{
+    Annotations, Cell, ErrorKind, GeoAnchor, Grid, PluginError, Point, Pose, Provenance, Scene, Symbol, Text,
+};
+use std::ffi::c_void;
+use std::slice;
+use std::sync::{Mutex, PoisonError};
+
+/// The most texts, symbols and warnings, each, in one scene.
+const MAX_ANNOTATIONS: usize = 1_000_000;
+
+/// What was taken so far.
+#[derive(Default)]
+pub struct Taken {
+    grid: Option<Grid>,
+    annotations: Annotations,
+    fault: Fault,
+}
+
+/// What was taken, behind a lock: an adapter may call from several threads.
+pub struct Receiver(Mutex<Taken>);
+
+impl Receiver {
+    /// Nothing yet but where the document came from.
+    pub fn new(provenance: Provenance) -> Self {
+        let annotations = Annotations { provenance, ..Annotations::default() };
+        Self(Mutex::new(Taken { annotations, ..Taken::default() }))
+    }
+
+    /// The sink that puts everything here, to be used as long as this lives.
+    pub fn sink(&self) -> PlanformSceneSink {
+        PlanformSceneSink {
+            size: size_of::<PlanformSceneSink>(),
+            context: self.context(),
+            grid,
+            text,
+            symbol,
+            anchor,
+            warning,
+            provenance,
+            fail,
+        }
+    }
+
+    /// What the callbacks get this back from.
+    pub fn context(&self) -> *mut c_void {
+        std::ptr::from_ref(self).cast_mut().cast()
+    }
+
+    /// Does something with what was taken.
+    pub fn with<T>(&self, work: impl FnOnce(&mut Taken) -> T) -> T {
+        work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// The scene, or what went wrong.
+    pub fn end(self, status: PlanformStatus) -> Result<Scene, PluginError> {
+        let Taken { grid, annotations, fault } = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        fault.end(status)?;
+        let grid = grid.ok_or_else(|| of_plugin("it reads the document without handing over a grid"))?;
+        Ok(Scene::new(grid, annotations))
+    }
+}
+
+impl Taken {
+    /// Remembers what the adapter was refused and may get over; the status to tell it.
+    pub fn refuse(&mut self, error: PluginError) -> PlanformStatus {
+        self.fault.refuse(error)
+    }
+
+    fn take_grid(&mut self, grid: Grid) -> Result<(), PluginError> {
+        match self.grid.replace(grid) {
+            None => Ok(()),
+            Some(_) => Err(of_plugin("it hands over a second grid")),
+        }
+    }
+}
+
+/// # Safety
+///
+/// `context` is that of a [`Receiver`] that lives for `'a`.
+unsafe fn receiver<'a>(context: *mut c_void) -> &'a Receiver {
+    // SAFETY: as the caller promises.
+    unsafe { &*context.cast::<Receiver>() }
+}
+
+/// Takes something into the scene, unless something went wrong before.
+///
+/// # Safety
+///
+/// `context` is that of a [`Receiver`] whose call has not ended.
+unsafe fn take(
+    context: *mut c_void,
+    work: impl FnOnce(&mut Taken) -> Result<(), PluginError>,
+) -> PlanformStatus {
+    // SAFETY: as the caller promises.
+    let receiver = unsafe { receiver(context) };
+    let status = guard(|| {
+        receiver.with(|taken| match taken.fault.is_there() {
+            true => PLANFORM_PLUGIN_FAULT,
+            false => work(taken).map_or_else(|e| taken.fault.note(e), |()| PLANFORM_OK),
+        })
+    });
+    status.unwrap_or(PLANFORM_PLUGIN_FAULT)
+}
+
+/// A struct of the plugin's.
+///
+/// # Safety
+///
+/// As for [`look`].
+unsafe fn looked<'a, T: Table>(table: *const T) -> Result<&'a T, PluginError> {
+    // SAFETY: as the caller promises.
+    unsafe { look(table) }.map_err(|e| of_plugin(&e.to_string()))
+}
+
+unsafe extern "C" fn grid(context: *mut c_void, grid: *const PlanformGrid) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a grid of its own.
+    unsafe { take(context, |taken| taken.take_grid(grid_of(looked(grid)?)?)) }
+}
+
+/// # Safety
+///
+/// `cells` points to `cell_count` cells that stay as they are during this call.
+unsafe fn grid_of(grid: &PlanformGrid) -> Result<Grid, PluginError> {
+    let unusable = |e: &crate::GridError| PluginError::new(ErrorKind::Limit, e.to_string());
+    let expected = Grid::check_size(grid.width, grid.height).map_err(|e| unusable(&e))?;
+    if grid.cells.is_null() || grid.cell_count != expected {
+        let found = if grid.cells.is_null() { 0 } else { grid.cell_count };
+        return Err(of_plugin(&format!("its grid has {found} cells where width times height is {expected}")));
+    }
+    // SAFETY: not NULL, and as many as the caller promises.
+    let values = unsafe { slice::from_raw_parts(grid.cells, grid.cell_count) };
+    let cells: Option<Vec<Cell>> = values.iter().map(|v| Cell::of_ros(*v)).collect();
+    let cells = cells.ok_or_else(|| of_plugin("a cell of its grid is neither -1 nor within 0 to 100"))?;
+    let origin = Pose { x: grid.origin_x, y: grid.origin_y, yaw: grid.origin_yaw };
+    Grid::new(grid.width, grid.height, grid.resolution, origin, cells).map_err(|e| unusable(&e))
+}
+
+/// The text, which has to be UTF-8.
+///
+/// # Safety
+///
+/// `text` is NULL or a text of the plugin's that stays as it is during this call.
+unsafe fn text_of(text: PlanformString, what: &str) -> Result<String, PluginError> {
+    // SAFETY: as the caller promises.
+    let bytes = unsafe { text.bytes() };
+    String::from_utf8(bytes.to_vec()).map_err(|_| of_plugin(&format!("{what} is not UTF-8")))
+}
+
+/// Numbers that have to be finite.
+fn finite<const N: usize>(numbers: [f64; N], what: &str) -> Result<(), PluginError> {
+    if numbers.iter().all(|n| n.is_finite()) {
+        return Ok(());
+    }
+    Err(of_plugin(&format!("{what} has a number that is not finite")))
+}
+
+fn push<T>(list: &mut Vec<T>, item: T, what: &str) -> Result<(), PluginError> {
+    if list.len() == MAX_ANNOTATIONS {
+        let message = format!("has more than {MAX_ANNOTATIONS} {what}");
+        return Err(PluginError::new(ErrorKind::Limit, message));
+    }
+    list.push(item);
+    Ok(())
+}
+
+unsafe extern "C" fn text(context: *mut c_void, text: *const PlanformText) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a text of its own.
+    unsafe {
+        take(context, |taken| {
+            let PlanformText { size: _, content, x, y, yaw, width, height, confidence } = *looked(text)?;
+            finite([x, y, yaw, width, height, confidence], "a text")?;
+            let content = text_of(content, "a text")?;
+            let text = Text { content, pose: Pose { x, y, yaw }, width, height, confidence };
+            push(&mut taken.annotations.texts, text, "texts")
+        })
+    }
+}
+
+unsafe extern "C" fn symbol(context: *mut c_void, symbol: *const PlanformSymbol) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a symbol of its own.
+    unsafe {
+        take(context, |taken| {
+            let PlanformSymbol { size: _, kind, x, y, yaw, width, height, score } = *looked(symbol)?;
+            finite([x, y, yaw, width, height, score], "a symbol")?;
+            let kind = text_of(kind, "the kind of a symbol")?;
+            let symbol = Symbol { kind, pose: Pose { x, y, yaw }, width, height, score };
+            push(&mut taken.annotations.symbols, symbol, "symbols")
+        })
+    }
+}
+
+unsafe extern "C" fn anchor(context: *mut c_void, anchor: *const PlanformAnchor) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and an anchor of its own.
+    unsafe {
+        take(context, |taken| {
+            let PlanformAnchor { size: _, latitude, longitude, bearing, x, y } = *looked(anchor)?;
+            finite([latitude, longitude, bearing, x, y], "the anchor")?;
+            taken.annotations.anchor = Some(GeoAnchor { latitude, longitude, bearing, at: Point::new(x, y) });
+            Ok(())
+        })
+    }
+}
+
+unsafe extern "C" fn warning(context: *mut c_void, warning: PlanformString) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a text of its own.
+    unsafe {
+        take(context, |taken| {
+            push(&mut taken.annotations.warnings, text_of(warning, "a warning")?, "warnings")
+        })
+    }
+}
+
+unsafe extern "C" fn provenance(
+    context: *mut c_void,
+    source: PlanformString,
+    adapter: PlanformString,
+) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and texts of its own.
+    unsafe {
+        take(context, |taken| {
+            let source = text_of(source, "the document's name")?;
+            let adapter = text_of(adapter, "the adapter's name")?;
+            taken.annotations.provenance = Provenance { source, adapter };
+            Ok(())
+        })
+    }
+}
+
+unsafe extern "C" fn fail(context: *mut c_void, problem: *const PlanformProblem) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a problem of its own.
+    guard(|| unsafe { receiver(context).with(|taken| taken.fault.note_problem(problem)) })
+        .unwrap_or(PLANFORM_PLUGIN_FAULT)
+}

@@ -1,0 +1,129 @@
+//! Scenes and layouts of every kind, with every field set in some.
+
+use planform_sdk::{
+    Annotations, Cell, Frontier, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon, Pose,
+    Provenance, RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall,
+};
+use proptest::collection::vec;
+use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
+use proptest::option;
+use proptest::prelude::*;
+
+fn number() -> impl Strategy<Value = f64> {
+    POSITIVE | NEGATIVE | NORMAL | SUBNORMAL | ZERO
+}
+
+fn string() -> impl Strategy<Value = String> {
+    prop_oneof![".{0,12}", Just("\0 \" \\ \u{1f6aa}\n".to_owned())]
+}
+
+fn point() -> impl Strategy<Value = Point> {
+    (number(), number()).prop_map(|(x, y)| Point::new(x, y))
+}
+
+fn pose() -> impl Strategy<Value = Pose> {
+    (number(), number(), number()).prop_map(|(x, y, yaw)| Pose { x, y, yaw })
+}
+
+fn segment() -> impl Strategy<Value = Segment> {
+    (point(), point()).prop_map(|(a, b)| Segment::new(a, b))
+}
+
+fn polygon() -> impl Strategy<Value = Polygon> {
+    (vec(point(), 0..5), vec(vec(point(), 0..4), 0..3))
+        .prop_map(|(exterior, holes)| Polygon { exterior, holes })
+}
+
+pub fn grid() -> impl Strategy<Value = Grid> {
+    let origin = (-1e9..1e9, -1e9..1e9, -7.0..7.0).prop_map(|(x, y, yaw)| Pose { x, y, yaw });
+    (1u32..12, 1u32..12, 1e-4..1e3, origin).prop_flat_map(|(width, height, resolution, origin)| {
+        let cells = vec((-1i8..=100).prop_map(|v| Cell::of_ros(v).unwrap()), (width * height) as usize);
+        cells.prop_map(move |cells| Grid::new(width, height, resolution, origin, cells).unwrap())
+    })
+}
+
+prop_compose! {
+    fn text()(content in string(), pose in pose(), sizes in [number(), number(), number()]) -> Text {
+        let [width, height, confidence] = sizes;
+        Text { content, pose, width, height, confidence }
+    }
+}
+
+prop_compose! {
+    fn symbol()(kind in string(), pose in pose(), sizes in [number(), number(), number()]) -> Symbol {
+        let [width, height, score] = sizes;
+        Symbol { kind, pose, width, height, score }
+    }
+}
+
+prop_compose! {
+    fn anchor()(at in point(), numbers in [number(), number(), number()]) -> GeoAnchor {
+        let [latitude, longitude, bearing] = numbers;
+        GeoAnchor { latitude, longitude, bearing, at }
+    }
+}
+
+prop_compose! {
+    fn provenance()(source in string(), adapter in string()) -> Provenance {
+        Provenance { source, adapter }
+    }
+}
+
+prop_compose! {
+    pub fn annotations()(
+        texts in vec(text(), 0..4),
+        symbols in vec(symbol(), 0..4),
+        anchor in option::of(anchor()),
+        provenance in provenance(),
+        warnings in vec(string(), 0..3),
+    ) -> Annotations {
+        Annotations { texts, symbols, anchor, provenance, warnings }
+    }
+}
+
+prop_compose! {
+    fn room()(
+        id: u32,
+        name in option::of(string()),
+        state in prop_oneof![Just(RoomState::Complete), Just(RoomState::Partial)],
+        inner in polygon(),
+        centre in polygon(),
+    ) -> Room {
+        Room { id, name, state, inner, centre }
+    }
+}
+
+prop_compose! {
+    fn wall()(line in segment(), thickness in number(), weight in number(), rooms: [Option<u32>; 2]) -> Wall {
+        Wall { line, thickness, weight, rooms }
+    }
+}
+
+prop_compose! {
+    fn opening()(
+        kind in prop_oneof![Just(OpeningKind::Door), Just(OpeningKind::Passage)],
+        segment in segment(),
+        rooms: [u32; 2],
+    ) -> Opening {
+        Opening { kind, segment, rooms }
+    }
+}
+
+prop_compose! {
+    pub fn layout()(
+        rooms in vec(room(), 0..4),
+        walls in vec(wall(), 0..4),
+        openings in vec(opening(), 0..4),
+        frontiers in vec((segment(), any::<u32>()), 0..3),
+        lines in vec((segment(), number()), 0..3),
+        notes in annotations(),
+        method in string(),
+    ) -> Layout {
+        let frontiers = frontiers.into_iter().map(|(segment, room)| Frontier { segment, room }).collect();
+        let lines = lines.into_iter().map(|(segment, support)| RepresentativeLine { segment, support });
+        let Annotations { texts, symbols, anchor, provenance, warnings: _ } = notes;
+        Layout {
+            rooms, walls, openings, frontiers, lines: lines.collect(), texts, symbols, anchor, provenance, method,
+        }
+    }
+}
