@@ -4,13 +4,12 @@ use super::Failure;
 use super::failure::say;
 use super::input::{InputArgs, Opened};
 use super::output::{self, Target};
+use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::params::MethodArgs;
 use super::progress::{Progress, Voice};
 use super::watch::{DebugFolder, Watch};
-use crate::host::Registry;
 use crate::reconstruct::{Params, reconstruct};
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use planform_sdk::{Document, Layout, OpeningKind, Options, RoomState, Scene};
 use std::path::PathBuf;
 
@@ -38,14 +37,16 @@ pub struct ConvertArgs {
     /// Write this file; its extension names the format. May be given several times; `-` is standard output
     #[arg(short, long, value_name = "FILE", required = true)]
     output: Vec<PathBuf>,
-    /// The format of outputs whose name does not tell it
-    #[arg(long, value_name = "FORMAT", value_parser = exporter_names())]
+    /// The format of outputs whose name does not tell it; `planform plugins` lists them
+    #[arg(long, value_name = "FORMAT")]
     to: Option<String>,
     /// Overwrite files that are there already
     #[arg(long)]
     force: bool,
     #[command(flatten)]
     method: MethodArgs,
+    #[command(flatten)]
+    outside: OutsideArgs,
     /// Paint what each step found into this folder, as `01-clutter.png` and so on
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
@@ -55,12 +56,6 @@ pub struct ConvertArgs {
     /// Tell nothing but errors
     #[arg(short, long)]
     quiet: bool,
-}
-
-fn exporter_names() -> PossibleValuesParser {
-    PossibleValuesParser::new(
-        Registry::builtin().exporters().map(|e| e.info().name.clone()).collect::<Vec<_>>(),
-    )
 }
 
 impl ConvertArgs {
@@ -74,11 +69,12 @@ impl ConvertArgs {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
-    let registry = Registry::builtin();
+    let registry = args.outside.registry(args.verbose)?;
     let targets = output::plan(&args.output, args.to.as_deref(), &registry)?;
     let params = args.method.params()?;
     targets.iter().try_for_each(|t| t.check(&args.input.input, args.force))?;
     let opened = Opened::open(&args.input, &registry)?;
+    tell_refusals(&registry, args.voice());
     let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
     let options = opened.options(&args.input.settings(), &exporters)?;
     let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force)).transpose()?;
@@ -95,8 +91,10 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
 fn read(opened: &Opened<'_>, options: &Options, voice: Voice) -> Result<Scene, Failure> {
     let mut progress = Progress::new(voice);
     progress.step("reading");
-    let scene = opened.read(options)?;
+    let scene = opened.read(options);
     drop(progress);
+    tell_messages(voice);
+    let scene = scene?;
     if voice != Voice::Quiet {
         scene.warnings.iter().for_each(|w| say(&format!("warning: {}: {w}", opened.shown())));
     }
@@ -123,9 +121,11 @@ impl Run<'_> {
         let mut progress = Progress::new(self.voice);
         let layout = self.reconstruct(params, folder, &mut progress)?;
         progress.step("writing");
-        let contents: Vec<_> =
-            targets.iter().zip(options).map(|(t, o)| self.render(&layout, t, o)).collect::<Result<_, _>>()?;
-        output::write(targets, &contents, force)?;
+        let contents: Result<Vec<_>, _> =
+            targets.iter().zip(options).map(|(t, o)| self.render(&layout, t, o)).collect();
+        drop(progress);
+        tell_messages(self.voice);
+        output::write(targets, &contents?, force)?;
         Ok(layout)
     }
 

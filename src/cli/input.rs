@@ -4,7 +4,6 @@ use super::Failure;
 use super::failure::shown;
 use crate::host::{Registry, Setting, run_options};
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use planform_sdk::{ErrorKind, InputAdapter, Options, PluginError, PluginInfo, Scene, Source};
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -15,7 +14,7 @@ pub struct InputArgs {
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
     /// Read the document with this input adapter, whatever it looks like
-    #[arg(long, value_name = "ADAPTER", value_parser = adapter_names())]
+    #[arg(long, value_name = "ADAPTER")]
     from: Option<String>,
     /// Set an option of every plugin that has it, or with PLUGIN.NAME=VALUE of one; `planform plugins NAME` lists them
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -27,12 +26,6 @@ pub struct InputArgs {
     /// axis in degrees clockwise from north; short for `--set anchor=LAT,LON,BEARING`
     #[arg(long, value_name = "LAT,LON,BEARING", allow_hyphen_values = true)]
     anchor: Option<String>,
-}
-
-fn adapter_names() -> PossibleValuesParser {
-    PossibleValuesParser::new(
-        Registry::builtin().adapters().map(|a| a.info().name.clone()).collect::<Vec<_>>(),
-    )
 }
 
 impl InputArgs {

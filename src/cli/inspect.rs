@@ -1,8 +1,10 @@
 //! `planform inspect`.
 
 use super::input::{InputArgs, Opened};
+use super::outside::{OutsideArgs, tell_messages, tell_refusals};
+use super::progress::Voice;
 use super::{Failure, failure::print};
-use crate::host::{Claim, Registry};
+use crate::host::Claim;
 use crate::reconstruct::Contour;
 use clap::Args;
 use planform_sdk::{Grid, Pose, Scene};
@@ -24,13 +26,18 @@ pub struct InspectArgs {
     /// Print as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    outside: OutsideArgs,
 }
 
 pub fn run(args: &InspectArgs) -> Result<(), Failure> {
-    let registry = Registry::builtin();
+    let registry = args.outside.registry(false)?;
     let opened = Opened::open(&args.input, &registry)?;
     let options = opened.options(&args.input.settings(), &[])?;
-    let scene = opened.read(&options[0])?;
+    tell_refusals(&registry, Voice::Normal);
+    let scene = opened.read(&options[0]);
+    tell_messages(Voice::Normal);
+    let scene = scene?;
     let report = Report::of(&opened.shown(), &registry.claims(&opened.source), &scene);
     print(&if args.json { report.json().into_bytes() } else { report.text().into_bytes() })
 }

@@ -8,6 +8,7 @@ mod input;
 mod inspect;
 mod man;
 mod output;
+mod outside;
 mod params;
 mod passing;
 mod picture;
@@ -17,9 +18,11 @@ mod watch;
 
 pub use failure::Failure;
 
+use crate::host::isolated;
 use clap::{CommandFactory, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
@@ -68,6 +71,9 @@ impl Verb {
 /// Runs the program with these arguments, the first being its own name.
 pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args: Vec<_> = args.into_iter().collect();
+    if let Some(code) = plugin_process(&args) {
+        return code;
+    }
     match Cli::try_parse_from(&args) {
         Ok(cli) => {
             failure::catch_bugs(&args, || cli.verb.run()).map_or_else(Failure::report, |()| ExitCode::SUCCESS)
@@ -77,6 +83,14 @@ pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
             print_help(&e).map_or_else(Failure::report, |()| code)
         }
     }
+}
+
+/// Serves a plugin library to another run of the program, if that is what the arguments ask for.
+fn plugin_process(args: &[OsString]) -> Option<ExitCode> {
+    let [_, verb, library, memory] = args else { return None };
+    let memory = memory.to_str()?.parse().ok()?;
+    let served = (verb == isolated::VERB).then(|| isolated::serve(Path::new(library), memory))?;
+    Some(served.map_or_else(|e| Failure::of_io(library, e).report(), |()| ExitCode::SUCCESS))
 }
 
 /// Prints help, or what is wrong with the command line.

@@ -53,18 +53,27 @@ const FOLDER: &str = "is a folder; give the name of a file in it";
 const PRESENT: &str = "is there already; `--force` overwrites it";
 
 fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<Target<'a>, Failure> {
-    let named = || to.and_then(|to| registry.exporter(to));
-    let exporter = registry.exporter_for(path).or_else(named).ok_or_else(|| no_format(path, registry))?;
+    let exporter = match (registry.exporter_for(path), to) {
+        (Some(exporter), _) => exporter,
+        (None, Some(to)) => registry.exporter(to).ok_or_else(|| no_exporter(to, registry))?,
+        (None, None) => return Err(no_format(path, registry)),
+    };
     Ok(Target { path: path.into(), exporter, place: Place::of(path) })
+}
+
+fn no_exporter(name: &str, registry: &Registry) -> Failure {
+    let names: Vec<_> = registry.exporters().map(|(e, _)| e.info().name.as_str()).collect();
+    let names = names.join(", ");
+    Failure::Usage(format!("--to {name}: there is no such format; there are {names}{}", registry.refused()))
 }
 
 fn no_format(path: &Path, registry: &Registry) -> Failure {
     if path.is_dir() {
         return Failure::over(path, FOLDER);
     }
-    let names: Vec<_> = registry.exporters().map(|e| e.info().name.as_str()).collect();
+    let names: Vec<_> = registry.exporters().map(|(e, _)| e.info().name.as_str()).collect();
     let name = if path == Path::new("-") { "standard output".into() } else { path.display().to_string() };
-    let advice = format!("`--to FORMAT` names it, one of {}", names.join(", "));
+    let advice = format!("`--to FORMAT` names it, one of {}{}", names.join(", "), registry.refused());
     Failure::Usage(format!("{name}: the name does not tell which format to write; {advice}"))
 }
 

@@ -45,8 +45,8 @@ fn names() -> PossibleValuesParser {
 }
 
 fn all(registry: &Registry) -> impl Iterator<Item = Listed<'_>> {
-    let adapters = registry.adapters().map(|a| ("read", a.info()));
-    adapters.chain(registry.exporters().map(|e| ("write", e.info())))
+    let adapters = registry.adapters().map(|(a, _)| ("read", a.info()));
+    adapters.chain(registry.exporters().map(|(e, _)| ("write", e.info())))
 }
 
 /// The plugin of this name, in whatever case, or all.

@@ -14,13 +14,22 @@ pub struct Claim<'a> {
     pub confidence: Confidence,
 }
 
+/// How sure a built-in adapter must be for those from outside not to be asked, percent.
+const SURE: u8 = 50;
+
 impl Registry {
     /// What each input adapter says of the document, the surest first and equally sure ones in the registry's order.
+    /// Those from outside are asked only when no built-in one is sure.
     pub fn claims(&self, source: &Source) -> Vec<Claim<'_>> {
         let head = &source.bytes[..source.bytes.len().min(HEAD)];
         let probe = Probe { path: &source.path, head };
+        let claim = |adapter: &dyn InputAdapter| adapter.probe(&probe);
         let mut claims: Vec<_> =
-            self.adapters().map(|adapter| Claim { adapter, confidence: adapter.probe(&probe) }).collect();
+            self.builtin_adapters().map(|adapter| Claim { adapter, confidence: claim(adapter) }).collect();
+        if claims.iter().all(|c| c.confidence.percent < SURE) {
+            let outside = self.outside().adapters.iter().map(|a| a as &dyn InputAdapter);
+            claims.extend(outside.map(|adapter| Claim { adapter, confidence: claim(adapter) }));
+        }
         claims.sort_by_key(|c| std::cmp::Reverse(c.confidence.percent));
         claims
     }
@@ -38,14 +47,23 @@ impl Registry {
     }
 
     fn no_such_adapter(&self, name: &str) -> PluginError {
-        let names: Vec<_> = self.adapters().map(|a| a.info().name.as_str()).collect();
-        PluginError::new(ErrorKind::BadOption, format!("there is no input adapter `{name}`"))
-            .advise(format!("there are {}", names.join(", ")))
+        let names: Vec<_> = self.adapters().map(|(a, _)| a.info().name.as_str()).collect();
+        PluginError::new(ErrorKind::BadOption, format!("there is no input adapter `{name}`")).advise(format!(
+            "there are {}{}",
+            names.join(", "),
+            self.refused()
+        ))
     }
 
     fn unclaimed(&self) -> PluginError {
-        let known: Vec<_> = self.adapters().flat_map(|a| a.info().extensions.iter().cloned()).collect();
+        let known: Vec<_> = self.adapters().flat_map(|(a, _)| a.info().extensions.iter().cloned()).collect();
+        let known = known.join(", ");
         PluginError::new(ErrorKind::Unsupported, "is no kind of document that planform knows")
-            .advise(format!("it reads {}; `--from` names the adapter to try anyway", known.join(", ")))
+            .advise(format!("it reads {known}; `--from` names the adapter to try anyway{}", self.refused()))
+    }
+
+    /// What might have helped and is not used, as the end of a sentence.
+    pub fn refused(&self) -> String {
+        self.refusals().iter().map(|refusal| format!("; {refusal}")).collect()
     }
 }

@@ -1,10 +1,17 @@
 //! The plugins of the program: which there are, which one a document or a file name belongs to, and the options of
-//! one run.
+//! one run. Those from outside are found, checked and loaded here, in a process of their own unless told otherwise.
 
 mod claims;
+pub mod isolated;
+mod library;
+mod outside;
 mod registry;
+mod search;
 mod settings;
+mod trust;
 
 pub use claims::Claim;
-pub use registry::Registry;
+pub use outside::{Loaded, Message, OutsideSettings, Outsider, Refusal, messages};
+pub use registry::{Origin, Registry};
+pub use search::PATH_VARIABLE;
 pub use settings::{Setting, run_options};

@@ -1,6 +1,7 @@
 //! The trait of input adapters, and what the host hands them.
 
 use crate::{ErrorKind, Options, PluginError, PluginInfo, Scene};
+use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -38,7 +39,7 @@ impl Probe<'_> {
 }
 
 /// How sure an adapter is that a document is its own: 0 is surely not, 100 surely; and why.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Confidence {
     /// 0 to 100.
     pub percent: u8,

@@ -1,10 +1,11 @@
 //! Why a plugin could not do its work.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::io;
 
 /// Who or what is at fault.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum ErrorKind {
     /// The document is damaged or is not what its format promises.
     BadInput,
@@ -21,7 +22,7 @@ pub enum ErrorKind {
 }
 
 /// Where in a document the fault lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Place {
     /// A line, from 1.
     Line(usize),
@@ -40,7 +41,7 @@ impl fmt::Display for Place {
 
 /// What went wrong, where, and what to do about it. Displayed as one sentence of plain words, the advice after a
 /// semicolon; the host puts the name of the document in front.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct PluginError {
     /// Who or what is at fault.
     pub kind: ErrorKind,

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 /// What a plugin says of itself.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PluginInfo {
     /// Short name, lower case, as the user types it: `slam-grid`.
     pub name: String,
@@ -26,7 +26,7 @@ pub struct PluginInfo {
 }
 
 /// One option of a plugin.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct OptionSpec {
     /// Name as the user types it in `--set NAME=VALUE`.
     pub name: String,
@@ -39,7 +39,7 @@ pub struct OptionSpec {
 }
 
 /// What values an option takes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum OptionKind {
     /// A finite number within these bounds.
     Number(Bounds),
@@ -52,7 +52,7 @@ pub enum OptionKind {
 }
 
 /// What numbers an option takes. By default, all.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Bounds {
     /// Only numbers above this one.
     pub above: Option<f64>,

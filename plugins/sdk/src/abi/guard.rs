@@ -18,7 +18,9 @@ pub fn guard<T>(work: impl FnOnce() -> T) -> Result<T, String> {
             .or_else(|| payload.downcast_ref::<String>().cloned())
             .unwrap_or_default();
         // To drop it may panic once more.
-        std::mem::forget(payload);
+        if let Err(again) = panic::catch_unwind(AssertUnwindSafe(|| drop(payload))) {
+            std::mem::forget(again);
+        }
         let place = PLACE.with(|p| p.try_borrow().map(|p| p.clone()).unwrap_or_default());
         format!("panicked at {place}: {words}")
     })

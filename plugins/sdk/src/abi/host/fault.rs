@@ -56,12 +56,12 @@ impl Fault {
 }
 
 fn silent(status: PlanformStatus) -> PluginError {
-    PluginError::new(kind_of(status), format!("the plugin failed with status {status} and did not say why"))
+    PluginError::new(kind_of(status), format!("the plugin gave up with status {status} and did not say why"))
 }
 
 /// A fault of the plugin's own.
 pub fn of_plugin(what: &str) -> PluginError {
-    PluginError::new(ErrorKind::Plugin, format!("the plugin has a bug: {what}")).advise("tell its maker")
+    PluginError::new(ErrorKind::Plugin, what).advise("tell its maker")
 }
 
 /// # Safety
@@ -77,7 +77,7 @@ unsafe fn error_of(problem: *const PlanformProblem) -> Result<PluginError, crate
         PLANFORM_BYTE => Some(Place::Byte(problem.position)),
         _ => None,
     };
-    let message = if message.is_empty() { "the plugin failed and did not say why".into() } else { message };
+    let message = if message.is_empty() { "the plugin gave up and did not say why".into() } else { message };
     let advice = Some(advice).filter(|a| !a.is_empty());
     Ok(PluginError { kind: kind_of(problem.status), message, place, advice })
 }

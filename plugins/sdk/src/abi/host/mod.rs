@@ -11,7 +11,7 @@ mod value;
 
 pub use adapter::AbiAdapter;
 pub use exporter::AbiExporter;
-pub use value::{Log, host_table, logged};
+pub use value::{Log, host_table, logged, note};
 
 use super::table::{TableError, look};
 use super::{PLANFORM_ABI_MAJOR, PlanformAdapter, PlanformEntry, PlanformExporter, PlanformPlugin};

@@ -131,16 +131,20 @@ unsafe extern "C" fn text(value: *const PlanformValue) -> PlanformString {
     }
 }
 
+/// Adds a message to those logged on this thread, such as one from another process.
+pub fn note(message: Log) {
+    LOGGED.with_borrow_mut(|logged| {
+        if logged.len() < MAX_LOGGED {
+            logged.push(message);
+        }
+    });
+}
+
 unsafe extern "C" fn log(level: u32, message: PlanformString) {
     // Nobody can be told that a message is lost.
     let _ = guard(|| {
         // SAFETY: the message lives until this returns.
-        let message = unsafe { message.to_text() };
-        LOGGED.with_borrow_mut(|logged| {
-            if logged.len() < MAX_LOGGED {
-                logged.push((level <= PLANFORM_LOG_WARNING, message));
-            }
-        });
+        note((level <= PLANFORM_LOG_WARNING, unsafe { message.to_text() }));
     });
 }
 

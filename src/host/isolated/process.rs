@@ -1,0 +1,313 @@
+//! The program's end: starts the process, asks it, and finds out why it does not answer.
+
+use super::death::{Death, address_space};
+use super::wire::{self, Answer, Reply, Request, SceneHeader};
+use super::{Limits, VERB};
+use planform_sdk::abi::host::note;
+use planform_sdk::{
+    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene,
+    Source,
+};
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How often a working process's memory is looked at.
+const LOOK: Duration = Duration::from_millis(10);
+
+/// How much of what a process printed last is kept, bytes.
+const LAST_WORDS: usize = 4096;
+
+/// How long to wait for what a process printed before it ended.
+const LAST_WAIT: Duration = Duration::from_millis(200);
+
+/// A request and its block.
+type Call = (Request, Vec<u8>);
+
+/// A reply and its block.
+type Answered = (Reply, Vec<u8>);
+
+/// A library that is served by a process of its own.
+pub struct Process {
+    library: PathBuf,
+    limits: Limits,
+    /// None before the first call, and after the process came to an end.
+    running: Mutex<Option<Running>>,
+}
+
+impl Process {
+    /// The process for this library; it is not started yet.
+    pub fn new(library: &Path, limits: &Limits) -> Self {
+        Self { library: library.into(), limits: limits.clone(), running: Mutex::new(None) }
+    }
+
+    /// The adapters and exporters of the library; or why it has none, in words that follow the library's name.
+    pub fn describe(self: &Arc<Self>) -> Result<(Vec<Remote>, Vec<Remote>), String> {
+        match self.ask(Request::Describe, vec![]) {
+            Ok((Answer::Described { adapters, exporters }, _)) => {
+                let remotes = |infos: Vec<PluginInfo>| {
+                    let remote = |(number, info)| Remote { process: Arc::clone(self), number, info };
+                    infos.into_iter().enumerate().map(remote).collect()
+                };
+                Ok((remotes(adapters), remotes(exporters)))
+            }
+            Ok((Answer::Unusable(reason), _)) => Err(reason),
+            Ok(_) => Err(out_of_turn().to_string()),
+            Err(e) => Err(e.to_string()),
+        }
+    }
+
+    /// Asks the process, which is started if it does not run.
+    fn ask(&self, request: Request, block: Vec<u8>) -> Result<(Answer, Vec<u8>), PluginError> {
+        let mut running = self.running.lock().unwrap_or_else(PoisonError::into_inner);
+        let started = match running.take() {
+            Some(started) => started,
+            None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
+        };
+        let (answered, started) = started.ask(request, block, &self.limits);
+        *running = started;
+        let (Reply { answer, logged }, block) = answered?;
+        logged.into_iter().for_each(note);
+        match answer {
+            Answer::Failed(e) => Err(e),
+            answer => Ok((answer, block)),
+        }
+    }
+
+    fn cannot_start(&self, error: &io::Error) -> PluginError {
+        let program = self.limits.program.display();
+        let message = format!("no process can be started for it with `{program}`: {error}");
+        PluginError::new(ErrorKind::Io, message)
+    }
+}
+
+fn out_of_turn() -> PluginError {
+    PluginError::new(ErrorKind::Plugin, "it answers what it was not asked").advise("tell its maker")
+}
+
+/// A process at work.
+struct Running {
+    child: Child,
+    calls: Sender<Call>,
+    replies: Receiver<Answered>,
+    errors: Receiver<()>,
+    last_words: Arc<Mutex<Vec<u8>>>,
+    peak: u64,
+}
+
+impl Running {
+    fn start(library: &Path, limits: &Limits) -> io::Result<Self> {
+        let mut command = Command::new(&limits.program);
+        command.arg(VERB).arg(library).arg(limits.memory.to_string());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        // With a group of its own, what the plugin starts is ended with it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let mut child = command.spawn()?;
+        let (Some(input), Some(output), Some(errors)) =
+            (child.stdin.take(), child.stdout.take(), child.stderr.take())
+        else {
+            return Err(io::Error::other("it has no pipes"));
+        };
+        let last_words = Arc::default();
+        Ok(Self {
+            child,
+            calls: speak(input),
+            replies: hear(output, limits.bytes()),
+            errors: overhear(errors, Arc::clone(&last_words), limits.echo),
+            last_words,
+            peak: 0,
+        })
+    }
+
+    /// Asks; the process comes back only if it lives.
+    fn ask(
+        mut self,
+        request: Request,
+        block: Vec<u8>,
+        limits: &Limits,
+    ) -> (Result<Answered, PluginError>, Option<Self>) {
+        // A process that is gone takes no call, and gives no answer either.
+        let _ = self.calls.send((request, block));
+        let end = Instant::now() + limits.time;
+        loop {
+            match self.replies.recv_timeout(LOOK.min(end.saturating_duration_since(Instant::now()))) {
+                Ok(reply) => return (Ok(reply), Some(self)),
+                Err(RecvTimeoutError::Timeout) if self.goes_on(limits) && Instant::now() < end => {}
+                Err(e) => {
+                    let late = e == RecvTimeoutError::Timeout && Instant::now() >= end;
+                    let (message, advice) = self.end(late).told(limits);
+                    let advice = advice.unwrap_or_else(|| "tell its maker".into());
+                    return (Err(PluginError::new(ErrorKind::Plugin, message).advise(advice)), None);
+                }
+            }
+        }
+    }
+
+    /// Whether the process lives and has not taken too much memory.
+    fn goes_on(&mut self, limits: &Limits) -> bool {
+        self.peak = self.peak.max(address_space(self.child.id()).unwrap_or(0));
+        self.peak <= limits.bytes() && !has_ended(&mut self.child)
+    }
+
+    /// Ends the process, if it has not ended by itself, and what it started.
+    fn end(mut self, late: bool) -> Death {
+        // It closes its output shortly before it has ended, and what it printed arrives shortly after.
+        let _ = self.errors.recv_timeout(if late { Duration::ZERO } else { LAST_WAIT });
+        let by_itself = has_ended(&mut self.child);
+        let status = self.kill().filter(|_| by_itself);
+        let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
+        Death { status, late, last_words: String::from_utf8_lossy(&words).into_owned(), peak: self.peak }
+    }
+
+    /// Ends the process and what it started, and waits for it.
+    fn kill(&mut self) -> Option<ExitStatus> {
+        #[cfg(unix)]
+        if let Some(group) = i32::try_from(self.child.id()).ok().and_then(rustix::process::Pid::from_raw) {
+            // Fails when all of them have ended.
+            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
+        }
+        let _ = self.child.kill();
+        self.child.wait().ok()
+    }
+}
+
+/// Whether the process has ended. It is not waited for: until then its group is its own.
+#[cfg(unix)]
+fn has_ended(child: &mut Child) -> bool {
+    use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
+    let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
+    let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw).map(WaitId::Pid);
+    id.is_none_or(|id| !matches!(waitid(id, options), Ok(None)))
+}
+
+#[cfg(not(unix))]
+fn has_ended(child: &mut Child) -> bool {
+    !matches!(child.try_wait(), Ok(None))
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        self.kill();
+    }
+}
+
+/// Writes calls to the process as they come. Not the caller's work: a process that does not read would stop it.
+fn speak(mut input: ChildStdin) -> Sender<Call> {
+    let (calls, received) = channel::<Call>();
+    thread::spawn(move || {
+        received.into_iter().try_for_each(|(request, block)| wire::send(&mut input, &request, &block))
+    });
+    calls
+}
+
+/// Reads replies as they come. The channel closes when the process closes its output, or says what makes no sense.
+fn hear(output: ChildStdout, limit: u64) -> Receiver<Answered> {
+    let (replies, received) = channel();
+    thread::spawn(move || {
+        let mut output = BufReader::new(output);
+        while let Ok(reply) = wire::receive(&mut output, limit) {
+            if replies.send(reply).is_err() {
+                return;
+            }
+        }
+    });
+    received
+}
+
+/// Keeps the last that the process prints on standard error, and shows it if that is asked for. The channel closes
+/// when there is no more.
+fn overhear(errors: ChildStderr, last_words: Arc<Mutex<Vec<u8>>>, echo: bool) -> Receiver<()> {
+    let (open, closed) = channel();
+    thread::spawn(move || {
+        let _open = open;
+        let mut errors = BufReader::new(errors);
+        // Nobody is left to be told when standard error is closed.
+        while let Ok(line @ [_, ..]) = errors.fill_buf() {
+            if echo {
+                let _ = io::stderr().write_all(line);
+            }
+            let mut words = last_words.lock().unwrap_or_else(PoisonError::into_inner);
+            words.extend_from_slice(line);
+            let excess = words.len().saturating_sub(LAST_WORDS);
+            words.drain(..excess);
+            let length = line.len();
+            errors.consume(length);
+        }
+    });
+    closed
+}
+
+/// An adapter or exporter in a process of its own.
+pub struct Remote {
+    process: Arc<Process>,
+    number: usize,
+    info: PluginInfo,
+}
+
+impl Remote {
+    /// As [`InputAdapter::probe`], but a plugin that fails at it is told.
+    fn confidence(&self, probe: &Probe<'_>) -> Result<Confidence, PluginError> {
+        let path = probe.path.as_os_str().as_encoded_bytes().to_vec();
+        let request = Request::Probe { adapter: self.number, path };
+        match self.process.ask(request, probe.head.to_vec())? {
+            (Answer::Claim(confidence), _) => Ok(confidence),
+            _ => Err(out_of_turn()),
+        }
+    }
+}
+
+impl InputAdapter for Remote {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn probe(&self, probe: &Probe<'_>) -> Confidence {
+        self.confidence(probe).unwrap_or_else(|e| {
+            note((true, format!("it cannot tell whose document this is: {e}")));
+            Confidence::no()
+        })
+    }
+
+    fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        let request = Request::Read {
+            adapter: self.number,
+            path: source.path.as_os_str().as_encoded_bytes().to_vec(),
+            byte_limit: source.byte_limit,
+            options: wire::values(options),
+        };
+        match self.process.ask(request, source.bytes.clone())? {
+            (Answer::Scene(header), cells) => header.with(&cells).map_err(|_| out_of_turn()),
+            _ => Err(out_of_turn()),
+        }
+    }
+}
+
+impl Exporter for Remote {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn write(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        out: &mut dyn Write,
+    ) -> Result<(), PluginError> {
+        let request = Request::Write {
+            exporter: self.number,
+            layout: Box::new(document.layout.clone()),
+            scene: document.scene.map(SceneHeader::of),
+            options: wire::values(options),
+        };
+        let cells = document.scene.map(|scene| wire::cells_of(&scene.grid)).unwrap_or_default();
+        match self.process.ask(request, cells)? {
+            (Answer::Written, output) => Ok(out.write_all(&output)?),
+            _ => Err(out_of_turn()),
+        }
+    }
+}

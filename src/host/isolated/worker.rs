@@ -1,0 +1,165 @@
+//! The process that runs a plugin.
+
+use super::wire::{self, Answer, Reply, Request, SceneHeader, Values};
+use crate::host::library;
+use planform_sdk::abi::host::{Plugin, logged};
+use planform_sdk::{
+    Document, ErrorKind, Exporter, InputAdapter, Layout, Options, PluginError, PluginInfo, Probe, Source,
+};
+use std::fs::File;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread;
+
+/// How much more memory than it may a plugin can take before the system refuses it, MiB: the program sees it pass the
+/// limit, and can tell that this was the reason.
+#[cfg(unix)]
+const MARGIN: u64 = 64;
+
+/// A request and its block.
+type Call = (Request, Vec<u8>);
+
+/// Serves the plugins of this library to the program at the other end of standard input and output, until it closes
+/// them. At most `memory` MiB are taken.
+pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
+    let mut out = own_output()?;
+    limit_memory(memory)?;
+    let calls = listen(memory.saturating_mul(1 << 20));
+    // Not before somebody listens: it may never come back.
+    let plugin = library::load(library);
+    for (request, block) in calls {
+        let (answer, block) = match &plugin {
+            Ok(plugin) => answer(plugin, request, block),
+            Err(reason) => (Answer::Unusable(reason.clone()), vec![]),
+        };
+        wire::send(&mut out, &Reply { answer, logged: logged() }, &block)?;
+    }
+    Ok(())
+}
+
+/// Standard output for answers alone: what the plugin prints there goes to standard error.
+#[cfg(unix)]
+fn own_output() -> io::Result<File> {
+    let own = rustix::io::fcntl_dupfd_cloexec(rustix::stdio::stdout(), 3)?;
+    rustix::stdio::dup2_stdout(rustix::stdio::stderr())?;
+    Ok(File::from(own))
+}
+
+#[cfg(not(unix))]
+fn own_output() -> io::Result<io::Stdout> {
+    Ok(io::stdout())
+}
+
+/// Has the system refuse more memory than this, in MiB, and write no core file.
+#[cfg(unix)]
+fn limit_memory(memory: u64) -> io::Result<()> {
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+    let limit = |resource, to: u64| {
+        let before = getrlimit(resource);
+        let least = |limit: Option<u64>| Some(limit.map_or(to, |l| l.min(to)));
+        setrlimit(resource, Rlimit { current: least(before.current), maximum: least(before.maximum) })
+    };
+    limit(Resource::Core, 0)?;
+    let own = super::death::address_space(std::process::id()).unwrap_or(0);
+    let most = memory.saturating_add(MARGIN).saturating_mul(1 << 20).saturating_add(own);
+    // Not every system can limit the address space; the time limit holds there too.
+    let _ = limit(Resource::As, most);
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn limit_memory(_: u64) -> io::Result<()> {
+    Ok(())
+}
+
+/// Reads requests as they come. When no more can come, this process ends, whatever the plugin is doing.
+fn listen(limit: u64) -> Receiver<Call> {
+    let (calls, received) = sync_channel(0);
+    thread::spawn(move || {
+        let mut input = io::stdin().lock();
+        while let Ok(call) = wire::receive(&mut input, limit) {
+            if calls.send(call).is_err() {
+                break;
+            }
+        }
+        end();
+    });
+    received
+}
+
+/// Ends this process at once: the plugin's own exit handlers may hang.
+fn end() {
+    #[cfg(unix)]
+    let _ = rustix::process::kill_process(rustix::process::getpid(), rustix::process::Signal::KILL);
+    std::process::exit(0);
+}
+
+/// What the plugin answers, and the block with it.
+fn answer(plugin: &Plugin, request: Request, block: Vec<u8>) -> (Answer, Vec<u8>) {
+    let answer = match request {
+        Request::Describe => Ok((describe(plugin), vec![])),
+        Request::Probe { adapter, path } => probe(plugin, adapter, &path, &block),
+        Request::Read { adapter, path, byte_limit, options } => {
+            let source = Source { path: path_of(&path), bytes: block, byte_limit };
+            read(plugin, adapter, &source, options)
+        }
+        Request::Write { exporter, layout, scene, options } => {
+            write(plugin, exporter, &layout, scene, &block, options)
+        }
+    };
+    answer.unwrap_or_else(|e| (Answer::Failed(e), vec![]))
+}
+
+fn describe(plugin: &Plugin) -> Answer {
+    let infos = |infos: Vec<&PluginInfo>| infos.into_iter().cloned().collect();
+    Answer::Described {
+        adapters: infos(plugin.adapters.iter().map(|a| a.info()).collect()),
+        exporters: infos(plugin.exporters.iter().map(|e| e.info()).collect()),
+    }
+}
+
+type Answered = Result<(Answer, Vec<u8>), PluginError>;
+
+fn probe(plugin: &Plugin, adapter: usize, path: &[u8], head: &[u8]) -> Answered {
+    let adapter = plugin.adapters.get(adapter).ok_or_else(no_such)?;
+    let confidence = adapter.confidence(&Probe { path: &path_of(path), head })?;
+    Ok((Answer::Claim(confidence), vec![]))
+}
+
+fn read(plugin: &Plugin, adapter: usize, source: &Source, options: Values) -> Answered {
+    let adapter = plugin.adapters.get(adapter).ok_or_else(no_such)?;
+    let scene = adapter.read(source, &Options::of_values(&adapter.info().options, options)?)?;
+    Ok((Answer::Scene(SceneHeader::of(&scene)), wire::cells_of(&scene.grid)))
+}
+
+fn write(
+    plugin: &Plugin,
+    exporter: usize,
+    layout: &Layout,
+    scene: Option<SceneHeader>,
+    cells: &[u8],
+    options: Values,
+) -> Answered {
+    let exporter = plugin.exporters.get(exporter).ok_or_else(no_such)?;
+    let scene = scene.map(|header| header.with(cells)).transpose()?;
+    let options = Options::of_values(&exporter.info().options, options)?;
+    let mut output = vec![];
+    exporter.write(&Document { layout, scene: scene.as_ref() }, &options, &mut output)?;
+    Ok((Answer::Written, output))
+}
+
+fn no_such() -> PluginError {
+    PluginError::new(ErrorKind::Plugin, "the library holds no plugin of this number")
+}
+
+#[cfg(unix)]
+fn path_of(bytes: &[u8]) -> PathBuf {
+    use std::os::unix::ffi::OsStrExt;
+    PathBuf::from(std::ffi::OsStr::from_bytes(bytes))
+}
+
+#[cfg(not(unix))]
+fn path_of(bytes: &[u8]) -> PathBuf {
+    PathBuf::from(String::from_utf8_lossy(bytes).into_owned())
+}

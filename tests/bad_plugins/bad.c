@@ -1,0 +1,134 @@
+/* Plugins that misbehave, for tests alone. Compiled once for each misdeed and each moment:
+ *   cc -DMISDEED=segfault -DWHEN='"read"' ...
+ * The misdeed is also the plugin's name, and the ending of the documents that it claims and writes. */
+#define _GNU_SOURCE
+#include "planform.h"
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#define SHOWN(text) #text
+#define TEXT(text) SHOWN(text)
+#define NAME TEXT(MISDEED)
+#define CALLED(misdeed) do_##misdeed()
+#define CALL(misdeed) CALLED(misdeed)
+#define MAYBE __attribute__((unused)) static
+
+/* Keeps compilers from seeing what comes of it. */
+static volatile int one = 1;
+
+MAYBE void do_segfault(void) {
+  volatile int *nowhere = (volatile int *)(size_t)(one - 1);
+  *nowhere = one;
+}
+
+MAYBE void do_abort(void) { abort(); }
+
+MAYBE void do_loop(void) {
+  while (one) {
+  }
+}
+
+MAYBE void do_sleep(void) {
+  while (one) sleep(100);
+}
+
+MAYBE void do_allocate(void) {
+  while (one) {
+    char *block = malloc(1 << 20);
+    if (block) memset(block, one, 1 << 20);
+  }
+}
+
+MAYBE void do_exhaust(void) {
+  while (one) memset(malloc(1 << 20), one, 1 << 20);
+}
+
+MAYBE int deeper(int depth) {
+  volatile char here[4096];
+  here[depth % 4096] = (char)depth;
+  return deeper(depth + one) + here[0];
+}
+
+MAYBE void do_overflow(void) { deeper(0); }
+
+MAYBE void do_exit(void) { exit(3); }
+
+MAYBE void do_divide(void) { raise(SIGFPE); }
+
+/* Leaves a process behind that would run for ever, and then crashes. */
+MAYBE void do_orphan(void) {
+  if (fork() == 0) do_sleep();
+  do_segfault();
+}
+
+/* Prints what is no answer where the answers go, and closes it. */
+MAYBE void do_chatter(void) {
+  printf("hello, I am a plugin\n");
+  fflush(stdout);
+  fprintf(stderr, "and I complain\n");
+}
+
+MAYBE void do_close(void) {
+  for (int i = 0; i < 64; i++) close(i);
+}
+
+static void at(const char *moment) {
+  if (strcmp(moment, WHEN) == 0) CALL(MISDEED);
+}
+
+static int32_t probe(const PlanformAdapter *adapter, const PlanformProbe *document) {
+  (void)adapter;
+  at("probe");
+  size_t length = strlen(NAME);
+  return document->head_length >= length && memcmp(document->head, NAME, length) == 0 ? 90 : 0;
+}
+
+static PlanformStatus read_(const PlanformAdapter *adapter, const PlanformSource *source,
+                            const PlanformJson *options, const PlanformSceneSink *sink) {
+  (void)adapter, (void)source, (void)options;
+  at("read");
+  static int8_t cells[100 * 100];
+  for (int i = 0; i < 100 * 100; i++) {
+    int x = i % 100, y = i / 100;
+    cells[i] = x < 10 || y < 10 || x > 89 || y > 89 ? -1 : x < 13 || y < 13 || x > 86 || y > 86 ? 100 : 0;
+  }
+  PlanformGrid grid = {
+      .size = sizeof grid, .width = 100, .height = 100, .resolution = 0.05, .cells = cells, .cell_count = 100 * 100};
+  return sink->grid(sink->context, &grid);
+}
+
+static PlanformStatus write_(const PlanformExporter *exporter, const PlanformDocument *document,
+                             const PlanformJson *options, const PlanformOutput *output) {
+  (void)exporter, (void)document, (void)options;
+  at("write");
+  return output->write(output->context, (const uint8_t *)"done\n", 5);
+}
+
+static const char *const EXTENSIONS[] = {NAME, NULL};
+static const PlanformInfo INFO = {.size = sizeof INFO,
+                                  .name = NAME,
+                                  .description = "Misbehaves, for tests",
+                                  .version = "1.0.0",
+                                  .licence = "MIT",
+                                  .extensions = EXTENSIONS};
+static const PlanformAdapter ADAPTER = {.size = sizeof ADAPTER, .info = &INFO, .probe = probe, .read = read_};
+static const PlanformExporter EXPORTER = {.size = sizeof EXPORTER, .info = &INFO, .write = write_};
+static const PlanformAdapter *const ADAPTERS[] = {&ADAPTER, NULL};
+static const PlanformExporter *const EXPORTERS[] = {&EXPORTER, NULL};
+
+#ifndef MAJOR
+#define MAJOR PLANFORM_ABI_MAJOR
+#endif
+#ifndef SIZE
+#define SIZE sizeof(PlanformPlugin)
+#endif
+static const PlanformPlugin PLUGIN = {
+    .size = SIZE, .abi_major = MAJOR, .abi_minor = 0, .adapters = ADAPTERS, .exporters = EXPORTERS};
+
+const PlanformPlugin *planform_plugin(const PlanformHost *host) {
+  (void)host;
+  at("load");
+  return strcmp(WHEN, "refuse") == 0 ? NULL : &PLUGIN;
+}
