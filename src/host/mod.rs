@@ -2,6 +2,7 @@
 //! one run. Those from outside are found, checked and loaded here, in a process of their own unless told otherwise.
 
 mod claims;
+pub mod conformance;
 pub mod isolated;
 mod library;
 mod outside;

@@ -216,6 +216,11 @@ impl Options {
         Ok(options)
     }
 
+    /// These values as they are: for trying what a plugin does with options that it does not have.
+    pub fn unchecked(values: impl IntoIterator<Item = (String, OptionValue)>) -> Self {
+        Self(values.into_iter().collect())
+    }
+
     /// All names and values, in the order of the names.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &OptionValue)> {
         self.0.iter().map(|(name, value)| (name.as_str(), value))

@@ -37,12 +37,19 @@ pub struct Process {
     limits: Limits,
     /// None before the first call, and after the process came to an end.
     running: Mutex<Option<Running>>,
+    /// The end of what the process printed on standard error before it came to an end.
+    last_words: Mutex<String>,
 }
 
 impl Process {
     /// The process for this library; it is not started yet.
     pub fn new(library: &Path, limits: &Limits) -> Self {
-        Self { library: library.into(), limits: limits.clone(), running: Mutex::new(None) }
+        Self {
+            library: library.into(),
+            limits: limits.clone(),
+            running: Mutex::default(),
+            last_words: Mutex::default(),
+        }
     }
 
     /// The adapters and exporters of the library; or why it has none, in words that follow the library's name.
@@ -61,6 +68,22 @@ impl Process {
         }
     }
 
+    /// Does a check of the conformance suite; the fault that it found.
+    pub fn check(&self, number: usize, sample: Option<&Source>) -> Result<Option<String>, PluginError> {
+        let path = sample.map(|s| s.path.as_os_str().as_encoded_bytes().to_vec());
+        let block = sample.map(|s| s.bytes.clone()).unwrap_or_default();
+        match self.ask(Request::Check { number, path }, block)? {
+            (Answer::Checked(fault), _) => Ok(fault),
+            (Answer::Unusable(reason), _) => Ok(Some(reason)),
+            _ => Err(out_of_turn()),
+        }
+    }
+
+    /// The end of what the process printed on standard error before it came to an end.
+    pub fn last_words(&self) -> String {
+        self.last_words.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
     /// Asks the process, which is started if it does not run.
     fn ask(&self, request: Request, block: Vec<u8>) -> Result<(Answer, Vec<u8>), PluginError> {
         let mut running = self.running.lock().unwrap_or_else(PoisonError::into_inner);
@@ -68,14 +91,25 @@ impl Process {
             Some(started) => started,
             None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
         };
-        let (answered, started) = started.ask(request, block, &self.limits);
-        *running = started;
-        let (Reply { answer, logged }, block) = answered?;
+        let (Reply { answer, logged }, block) = match started.ask(request, block, &self.limits) {
+            Ok((reply, started)) => {
+                *running = Some(started);
+                reply
+            }
+            Err(death) => return Err(self.told(&death)),
+        };
         logged.into_iter().for_each(note);
         match answer {
             Answer::Failed(e) => Err(e),
             answer => Ok((answer, block)),
         }
+    }
+
+    fn told(&self, death: &Death) -> PluginError {
+        self.last_words.lock().unwrap_or_else(PoisonError::into_inner).clone_from(&death.last_words);
+        let (message, advice) = death.told(&self.limits);
+        let advice = advice.unwrap_or_else(|| "tell its maker".into());
+        PluginError::new(ErrorKind::Plugin, message).advise(advice)
     }
 
     fn cannot_start(&self, error: &io::Error) -> PluginError {
@@ -130,19 +164,17 @@ impl Running {
         request: Request,
         block: Vec<u8>,
         limits: &Limits,
-    ) -> (Result<Answered, PluginError>, Option<Self>) {
+    ) -> Result<(Answered, Self), Box<Death>> {
         // A process that is gone takes no call, and gives no answer either.
         let _ = self.calls.send((request, block));
         let end = Instant::now() + limits.time;
         loop {
             match self.replies.recv_timeout(LOOK.min(end.saturating_duration_since(Instant::now()))) {
-                Ok(reply) => return (Ok(reply), Some(self)),
+                Ok(reply) => return Ok((reply, self)),
                 Err(RecvTimeoutError::Timeout) if self.goes_on(limits) && Instant::now() < end => {}
                 Err(e) => {
                     let late = e == RecvTimeoutError::Timeout && Instant::now() >= end;
-                    let (message, advice) = self.end(late).told(limits);
-                    let advice = advice.unwrap_or_else(|| "tell its maker".into());
-                    return (Err(PluginError::new(ErrorKind::Plugin, message).advise(advice)), None);
+                    return Err(Box::new(self.end(late)));
                 }
             }
         }

@@ -23,6 +23,8 @@ pub enum Request {
     Read { adapter: usize, path: Vec<u8>, byte_limit: u64, options: Values },
     /// Write the layout. The block is the grid's cells.
     Write { exporter: usize, layout: Box<Layout>, scene: Option<SceneHeader>, options: Values },
+    /// Do this check of the conformance suite. The block is the sample document, if there is a path.
+    Check { number: usize, path: Option<Vec<u8>> },
 }
 
 /// What it answers.
@@ -38,6 +40,8 @@ pub enum Answer {
     Scene(SceneHeader),
     /// The output is the block.
     Written,
+    /// The check is done, and found this fault.
+    Checked(Option<String>),
     /// It did not work.
     Failed(PluginError),
 }

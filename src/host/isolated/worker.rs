@@ -1,6 +1,7 @@
 //! The process that runs a plugin.
 
 use super::wire::{self, Answer, Reply, Request, SceneHeader, Values};
+use crate::host::conformance::{self, Subject};
 use crate::host::library;
 use planform_sdk::abi::host::{Plugin, logged};
 use planform_sdk::{
@@ -107,6 +108,7 @@ fn answer(plugin: &Plugin, request: Request, block: Vec<u8>) -> (Answer, Vec<u8>
         Request::Write { exporter, layout, scene, options } => {
             write(plugin, exporter, &layout, scene, &block, options)
         }
+        Request::Check { number, path } => Ok((check(plugin, number, path, block), vec![])),
     };
     answer.unwrap_or_else(|e| (Answer::Failed(e), vec![]))
 }
@@ -147,6 +149,11 @@ fn write(
     let mut output = vec![];
     exporter.write(&Document { layout, scene: scene.as_ref() }, &options, &mut output)?;
     Ok((Answer::Written, output))
+}
+
+fn check(plugin: &Plugin, number: usize, path: Option<Vec<u8>>, bytes: Vec<u8>) -> Answer {
+    let sample = path.map(|path| Source { path: path_of(&path), bytes, byte_limit: Source::BYTE_LIMIT });
+    Answer::Checked(conformance::run(number, &Subject { plugin, sample: sample.as_ref() }).err())
 }
 
 fn no_such() -> PluginError {

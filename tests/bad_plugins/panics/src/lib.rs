@@ -2,7 +2,7 @@
 //! calls itself without end.
 
 use planform_sdk::{
-    Confidence, Document, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene, Source,
+    Confidence, Document, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene, Source,
 };
 use std::io::Write;
 

@@ -1,7 +1,7 @@
 //! A library's input adapter.
 #![allow(unsafe_code)]
 
-use super::fault::of_plugin;
+use super::fault::{Trial, of_plugin};
 use super::json::Json;
 use super::scene::Receiver;
 use super::{LoadError, info};
@@ -73,9 +73,28 @@ impl InputAdapter for AbiAdapter {
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        self.read_into(self.receiver(source), source, options)?.result
+    }
+}
+
+impl AbiAdapter {
+    fn receiver(&self, source: &Source) -> Receiver {
+        Receiver::new(Provenance { source: source.name(), adapter: self.info.name.clone() })
+    }
+
+    /// Reads a document whose grid is refused, as one of an absurd size is.
+    pub fn read_refused(&self, source: &Source, options: &Options) -> Result<Trial<Scene>, PluginError> {
+        self.read_into(self.receiver(source).refusing(), source, options)
+    }
+
+    fn read_into(
+        &self,
+        receiver: Receiver,
+        source: &Source,
+        options: &Options,
+    ) -> Result<Trial<Scene>, PluginError> {
         let options = Json::new(options)?;
-        let provenance = Provenance { source: source.name(), adapter: self.info.name.clone() };
-        let files = Files { source, receiver: Receiver::new(provenance) };
+        let files = Files { source, receiver };
         let path = Terminated::of_path(&source.path);
         let crossing = PlanformSource {
             size: size_of::<PlanformSource>(),
@@ -90,11 +109,9 @@ impl InputAdapter for AbiAdapter {
         let Some(read) = self.table.read else { return Err(of_plugin("it has no function `read`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
         let status = unsafe { read(self.table, &crossing, &options.as_table(), &files.receiver.sink()) };
-        files.receiver.end(status)
+        Ok(files.receiver.end(status))
     }
-}
 
-impl AbiAdapter {
     /// As [`InputAdapter::probe`], but an answer that is none is an error.
     pub fn confidence(&self, probe: &Probe<'_>) -> Result<Confidence, PluginError> {
         let said = RefCell::new(String::new());

@@ -1,7 +1,7 @@
 //! A library's exporter.
 #![allow(unsafe_code)]
 
-use super::fault::{Fault, of_plugin};
+use super::fault::{Fault, Trial, of_plugin};
 use super::json::Json;
 use super::{LoadError, info};
 use crate::abi::guard::guard;
@@ -68,6 +68,18 @@ impl Exporter for AbiExporter {
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<(), PluginError> {
+        self.try_write(document, options, out)?.result
+    }
+}
+
+impl AbiExporter {
+    /// As [`Exporter::write`], and tells how the plugin took it if `out` failed.
+    pub fn try_write(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        out: &mut dyn Write,
+    ) -> Result<Trial<()>, PluginError> {
         let (layout, options) = (Json::new(document.layout)?, Json::new(options)?);
         let scene = document.scene.map(|scene| Json::new(&scene.annotations())).transpose()?;
         let grid = document.scene.map(|scene| PlanformGrid::of(&scene.grid));
@@ -89,7 +101,8 @@ impl Exporter for AbiExporter {
         let Some(write) = self.table.write else { return Err(of_plugin("it has no function `write`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
         let status = unsafe { write(self.table, &crossing, &options.as_table(), &output) };
-        receiver.0.into_inner().unwrap_or_else(PoisonError::into_inner).fault.end(status)
+        let fault = receiver.0.into_inner().unwrap_or_else(PoisonError::into_inner).fault;
+        Ok(Trial { late_calls: fault.late_calls(), status, result: fault.end(status) })
     }
 }
 
@@ -119,7 +132,7 @@ unsafe fn with(
 
 unsafe extern "C" fn write(context: *mut c_void, bytes: *const u8, length: usize) -> PlanformStatus {
     let work = |receiving: &mut Receiving<'_>| {
-        if receiving.fault.is_there() {
+        if receiving.fault.precedes_call() {
             return PLANFORM_PLUGIN_FAULT;
         }
         if length == 0 {

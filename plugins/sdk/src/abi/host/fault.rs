@@ -13,12 +13,20 @@ pub struct Fault {
     error: Option<PluginError>,
     /// What the plugin was refused and may get over: told only when it then fails without a word of its own.
     refusal: Option<PluginError>,
+    /// How often the plugin called back after it was told that something went wrong.
+    late_calls: usize,
 }
 
 impl Fault {
-    /// Whether something went wrong already.
-    pub fn is_there(&self) -> bool {
+    /// Whether something went wrong before this call.
+    pub fn precedes_call(&mut self) -> bool {
+        self.late_calls += usize::from(self.error.is_some());
         self.error.is_some()
+    }
+
+    /// How often the plugin called back after it was told that something went wrong.
+    pub fn late_calls(&self) -> usize {
+        self.late_calls
     }
 
     /// Notes what went wrong, if nothing did before; the status to tell the plugin.
@@ -57,6 +65,16 @@ impl Fault {
 
 fn silent(status: PlanformStatus) -> PluginError {
     PluginError::new(kind_of(status), format!("the plugin gave up with status {status} and did not say why"))
+}
+
+/// How a plugin takes it that something goes wrong.
+pub struct Trial<T> {
+    /// How the call ended.
+    pub result: Result<T, PluginError>,
+    /// The status that the plugin returned.
+    pub status: PlanformStatus,
+    /// How often it called back after it was told that something went wrong.
+    pub late_calls: usize,
 }
 
 /// A fault of the plugin's own.

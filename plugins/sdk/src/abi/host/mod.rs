@@ -11,6 +11,7 @@ mod value;
 
 pub use adapter::AbiAdapter;
 pub use exporter::AbiExporter;
+pub use fault::Trial;
 pub use value::{Log, host_table, logged, note};
 
 use super::table::{TableError, look};

@@ -1,7 +1,7 @@
 //! Takes what an adapter finds in a document. What an adapter hands over is looked at before it is believed.
 #![allow(unsafe_code)]
 
-use super::fault::{Fault, of_plugin};
+use super::fault::{Fault, Trial, of_plugin};
 use crate::abi::guard::guard;
 use crate::abi::table::{Table, look};
 use crate::abi::{
@@ -24,6 +24,8 @@ pub struct Taken {
     grid: Option<Grid>,
     annotations: Annotations,
     fault: Fault,
+    /// Whether every grid is refused, as an absurd one is.
+    refuses: bool,
 }
 
 /// What was taken, behind a lock: an adapter may call from several threads.
@@ -34,6 +36,12 @@ impl Receiver {
     pub fn new(provenance: Provenance) -> Self {
         let annotations = Annotations { provenance, ..Annotations::default() };
         Self(Mutex::new(Taken { annotations, ..Taken::default() }))
+    }
+
+    /// The same, refusing every grid as if it were absurdly large.
+    pub fn refusing(self) -> Self {
+        self.with(|taken| taken.refuses = true);
+        self
     }
 
     /// The sink that puts everything here, to be used as long as this lives.
@@ -61,12 +69,10 @@ impl Receiver {
         work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    /// The scene, or what went wrong.
-    pub fn end(self, status: PlanformStatus) -> Result<Scene, PluginError> {
-        let Taken { grid, annotations, fault } = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
-        fault.end(status)?;
-        let grid = grid.ok_or_else(|| of_plugin("it reads the document without handing over a grid"))?;
-        Ok(Scene::new(grid, annotations))
+    /// How the call ended: the scene, or what went wrong.
+    pub fn end(self, status: PlanformStatus) -> Trial<Scene> {
+        let taken = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Trial { late_calls: taken.fault.late_calls(), status, result: taken.scene(status) }
     }
 }
 
@@ -76,7 +82,17 @@ impl Taken {
         self.fault.refuse(error)
     }
 
+    fn scene(self, status: PlanformStatus) -> Result<Scene, PluginError> {
+        self.fault.end(status)?;
+        let grid = self.grid.ok_or_else(|| of_plugin("it reads the document without handing over a grid"))?;
+        Ok(Scene::new(grid, self.annotations))
+    }
+
     fn take_grid(&mut self, grid: Grid) -> Result<(), PluginError> {
+        if self.refuses {
+            let error = crate::GridError::TooLarge { width: grid.width(), height: grid.height() };
+            return Err(PluginError::new(ErrorKind::Limit, error.to_string()));
+        }
         match self.grid.replace(grid) {
             None => Ok(()),
             Some(_) => Err(of_plugin("it hands over a second grid")),
@@ -104,7 +120,7 @@ unsafe fn take(
     // SAFETY: as the caller promises.
     let receiver = unsafe { receiver(context) };
     let status = guard(|| {
-        receiver.with(|taken| match taken.fault.is_there() {
+        receiver.with(|taken| match taken.fault.precedes_call() {
             true => PLANFORM_PLUGIN_FAULT,
             false => work(taken).map_or_else(|e| taken.fault.note(e), |()| PLANFORM_OK),
         })

@@ -1,0 +1,173 @@
+//! What input adapters must stand.
+
+use super::material::{self, Specimen};
+use super::{Subject, about_to_try, bad_options, decent, defaults, information_of};
+use planform_sdk::abi::PLANFORM_OK;
+use planform_sdk::abi::host::AbiAdapter;
+use planform_sdk::{InputAdapter, PluginError, Probe, Scene, Source};
+use std::path::Path;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// The longest that a probe may take: every adapter is asked about every document.
+const QUICK: Duration = Duration::from_secs(1);
+
+/// How often, and on how many threads at once, the same is read.
+const REPEATS: usize = 20;
+const THREADS: usize = 4;
+
+pub fn information(subject: &Subject<'_>) -> Result<(), String> {
+    subject.plugin.adapters.iter().try_for_each(|a| information_of(a.info()))
+}
+
+fn extension(adapter: &AbiAdapter) -> &str {
+    adapter.info().extensions.first().map_or("", String::as_str)
+}
+
+fn read(adapter: &AbiAdapter, source: &Source) -> Result<Scene, PluginError> {
+    adapter.read(source, &defaults(&adapter.info().options))
+}
+
+pub fn probes_garbage(subject: &Subject<'_>) -> Result<(), String> {
+    for adapter in &subject.plugin.adapters {
+        for Specimen { what, source } in material::garbage(extension(adapter)) {
+            probes(adapter, &what, &source.path, &source.bytes[..source.bytes.len().min(4096)])?;
+        }
+        for path in material::paths(extension(adapter)) {
+            probes(adapter, &format!("the path {path:?}"), &path, b"some text\n")?;
+        }
+    }
+    Ok(())
+}
+
+fn probes(adapter: &AbiAdapter, what: &str, path: &Path, head: &[u8]) -> Result<(), String> {
+    about_to_try(what);
+    let start = Instant::now();
+    adapter.confidence(&Probe { path, head }).map_err(|e| format!("{what}: {}", e.message))?;
+    if start.elapsed() > QUICK {
+        return Err(format!("{what}: its probe takes {:.1} s", start.elapsed().as_secs_f64()));
+    }
+    Ok(())
+}
+
+/// Reads each of these with each adapter: what comes of it does not matter, as long as an error is a decent one.
+fn survives(subject: &Subject<'_>, specimens: impl Fn(&AbiAdapter) -> Vec<Specimen>) -> Result<(), String> {
+    for adapter in &subject.plugin.adapters {
+        for Specimen { what, source } in specimens(adapter) {
+            about_to_try(&what);
+            read(adapter, &source).map_or_else(|e| decent(&what, &e), |_| Ok(()))?;
+        }
+    }
+    Ok(())
+}
+
+fn sample<'a>(subject: &Subject<'a>) -> Result<&'a Source, String> {
+    subject.sample.ok_or_else(|| "there is no sample".into())
+}
+
+pub fn reads_garbage(subject: &Subject<'_>) -> Result<(), String> {
+    survives(subject, |adapter| material::garbage(extension(adapter)))
+}
+
+pub fn reads_cut(subject: &Subject<'_>) -> Result<(), String> {
+    let sample = sample(subject)?;
+    survives(subject, |_| material::cut(sample))
+}
+
+pub fn reads_damaged(subject: &Subject<'_>) -> Result<(), String> {
+    let sample = sample(subject)?;
+    survives(subject, |_| material::damaged(sample))
+}
+
+pub fn reads_absurd(subject: &Subject<'_>) -> Result<(), String> {
+    let sample = sample(subject)?;
+    survives(subject, |_| material::absurd(sample))
+}
+
+pub fn reads_not_utf8(subject: &Subject<'_>) -> Result<(), String> {
+    let sample = sample(subject)?;
+    survives(subject, |adapter| {
+        let path = material::path_not_utf8(extension(adapter));
+        let renamed = path.map(|path| Specimen {
+            what: "the sample under a name that is not UTF-8".into(),
+            source: Source { path, ..sample.clone() },
+        });
+        material::not_utf8(sample).into_iter().chain(renamed).collect()
+    })
+}
+
+pub fn options(subject: &Subject<'_>) -> Result<(), String> {
+    let nothing = Source { path: "plan".into(), bytes: b"x".to_vec(), byte_limit: 1000 };
+    for adapter in &subject.plugin.adapters {
+        for options in bad_options(&adapter.info().options) {
+            let what = shortened(&format!("the options {options:?}"));
+            about_to_try(&what);
+            let read = adapter.read(subject.sample.unwrap_or(&nothing), &options);
+            read.map_or_else(|e| decent(&what, &e), |_| Ok(()))?;
+        }
+    }
+    Ok(())
+}
+
+/// A description for a line.
+pub fn shortened(text: &str) -> String {
+    text.chars().take(120).collect()
+}
+
+/// The adapters that say the sample is theirs.
+fn readers<'a>(subject: &Subject<'a>) -> Result<(&'a Source, Vec<&'a AbiAdapter>), String> {
+    let sample = sample(subject)?;
+    let probe = Probe { path: &sample.path, head: &sample.bytes[..sample.bytes.len().min(4096)] };
+    let readers: Vec<_> = subject.plugin.adapters.iter().filter(|a| a.probe(&probe).percent > 0).collect();
+    if readers.is_empty() {
+        return Err("it does not recognise the sample: its probe answers 0".into());
+    }
+    Ok((sample, readers))
+}
+
+pub fn reads_sample(subject: &Subject<'_>) -> Result<(), String> {
+    let (sample, readers) = readers(subject)?;
+    let read =
+        |adapter: &&AbiAdapter| read(adapter, sample).map(drop).map_err(|e| format!("the sample: {e}"));
+    readers.iter().try_for_each(read)
+}
+
+pub fn gives_up(subject: &Subject<'_>) -> Result<(), String> {
+    let (sample, readers) = readers(subject)?;
+    for adapter in readers {
+        about_to_try("a grid that is refused");
+        let options = defaults(&adapter.info().options);
+        let trial = adapter.read_refused(sample, &options).map_err(|e| e.to_string())?;
+        if trial.status == PLANFORM_OK {
+            return Err("its grid is refused, and it says that all is well".into());
+        }
+        if trial.late_calls > 0 {
+            return Err(format!(
+                "its grid is refused, and it calls back {} times after that",
+                trial.late_calls
+            ));
+        }
+    }
+    Ok(())
+}
+
+pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
+    let (sample, readers) = readers(subject)?;
+    for adapter in readers {
+        about_to_try("the sample several times");
+        let first = read(adapter, sample).map_err(|e| format!("the sample: {e}"))?;
+        let repeat = || (0..REPEATS).all(|_| read(adapter, sample).is_ok_and(|scene| scene == first));
+        if !repeat() {
+            return Err("it reads something else from the sample when it reads it again".into());
+        }
+        about_to_try("the sample on several threads at once");
+        let agreed = thread::scope(|scope| {
+            let threads: Vec<_> = (0..THREADS).map(|_| scope.spawn(repeat)).collect();
+            threads.into_iter().all(|thread| thread.join().unwrap_or(false))
+        });
+        if adapter.is_thread_safe() && !agreed {
+            return Err("it says that it is thread-safe, and reads something else on several threads".into());
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,128 @@
+//! What exporters must stand.
+
+use super::adapter::shortened;
+use super::{Subject, about_to_try, bad_options, decent, defaults, information_of, material};
+use planform_sdk::abi::PLANFORM_OK;
+use planform_sdk::abi::host::AbiExporter;
+use planform_sdk::{Document, Exporter, Layout, PluginError, Scene};
+use std::io::{self, Write};
+use std::thread;
+
+/// How often, and on how many threads at once, the same is written.
+const REPEATS: usize = 20;
+const THREADS: usize = 4;
+
+pub fn information(subject: &Subject<'_>) -> Result<(), String> {
+    subject.plugin.exporters.iter().try_for_each(|e| information_of(e.info()))
+}
+
+fn write(exporter: &AbiExporter, layout: &Layout, scene: Option<&Scene>) -> Result<Vec<u8>, PluginError> {
+    let mut out = vec![];
+    exporter.write(&Document { layout, scene }, &defaults(&exporter.info().options), &mut out)?;
+    Ok(out)
+}
+
+pub fn writes(subject: &Subject<'_>) -> Result<(), String> {
+    for exporter in &subject.plugin.exporters {
+        for (what, scene) in [("two rooms", None), ("two rooms and their grid", material::scene(30, 20))] {
+            about_to_try(what);
+            let out = write(exporter, &material::plain_layout(), scene.as_ref());
+            if out.map_err(|e| format!("{what}: {e}"))?.is_empty() {
+                return Err(format!("{what}: it writes nothing"));
+            }
+        }
+    }
+    Ok(())
+}
+
+pub fn writes_odd(subject: &Subject<'_>) -> Result<(), String> {
+    let plain = material::plain_layout();
+    for exporter in &subject.plugin.exporters {
+        for (what, layout) in material::odd_layouts() {
+            about_to_try(what);
+            write(exporter, &layout, None).map_or_else(|e| decent(what, &e), |_| Ok(()))?;
+        }
+        for (what, width, height) in
+            [("a grid of one cell", 1, 1), ("a grid of 16 million cells", 4000, 4000)]
+        {
+            about_to_try(what);
+            let written = write(exporter, &plain, material::scene(width, height).as_ref());
+            written.map_or_else(|e| decent(what, &e), |_| Ok(()))?;
+        }
+    }
+    Ok(())
+}
+
+pub fn options(subject: &Subject<'_>) -> Result<(), String> {
+    let layout = material::plain_layout();
+    for exporter in &subject.plugin.exporters {
+        for options in bad_options(&exporter.info().options) {
+            let what = shortened(&format!("the options {options:?}"));
+            about_to_try(&what);
+            let written = exporter.write(&Document { layout: &layout, scene: None }, &options, &mut vec![]);
+            written.map_or_else(|e| decent(&what, &e), |()| Ok(()))?;
+        }
+    }
+    Ok(())
+}
+
+/// Takes so many bytes, and then no more.
+struct Disk(usize);
+
+impl Write for Disk {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self.0.checked_sub(bytes.len()) {
+            Some(left) => self.0 = left,
+            None => return Err(io::ErrorKind::StorageFull.into()),
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+pub fn gives_up(subject: &Subject<'_>) -> Result<(), String> {
+    let layout = material::plain_layout();
+    for exporter in &subject.plugin.exporters {
+        let options = defaults(&exporter.info().options);
+        let length = write(exporter, &layout, None).map_err(|e| format!("two rooms: {e}"))?.len();
+        for room in [0, 1, length / 2, length.saturating_sub(1)] {
+            let what = format!("a disk that is full after {room} bytes");
+            about_to_try(&what);
+            let document = Document { layout: &layout, scene: None };
+            let trial =
+                exporter.try_write(&document, &options, &mut Disk(room)).map_err(|e| e.to_string())?;
+            if trial.status == PLANFORM_OK {
+                return Err(format!("{what}: it says that all is well"));
+            }
+            if trial.late_calls > 0 {
+                return Err(format!("{what}: it calls back {} times after that", trial.late_calls));
+            }
+        }
+    }
+    Ok(())
+}
+
+pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
+    let (layout, scene) = (material::plain_layout(), material::scene(30, 20));
+    for exporter in &subject.plugin.exporters {
+        about_to_try("two rooms several times");
+        let first = write(exporter, &layout, scene.as_ref()).map_err(|e| format!("two rooms: {e}"))?;
+        let again = || write(exporter, &layout, scene.as_ref()).is_ok_and(|out| out == first);
+        let repeat = || (0..REPEATS).all(|_| again());
+        if !repeat() {
+            return Err("it writes other bytes when it writes the same layout again".into());
+        }
+        about_to_try("two rooms on several threads at once");
+        let agreed = thread::scope(|scope| {
+            let threads: Vec<_> = (0..THREADS).map(|_| scope.spawn(repeat)).collect();
+            threads.into_iter().all(|thread| thread.join().unwrap_or(false))
+        });
+        if exporter.is_thread_safe() && !agreed {
+            return Err("it says that it is thread-safe, and writes other bytes on several threads".into());
+        }
+    }
+    Ok(())
+}
