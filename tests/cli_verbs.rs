@@ -36,7 +36,18 @@ fn help_that_cannot_be_printed_is_a_failure() {
 
 #[test]
 fn every_verb_has_help_with_an_example() {
-    for verb in ["convert", "inspect", "evaluate", "plugins", "params", "completions", "man"] {
+    for verb in [
+        "convert",
+        "inspect",
+        "evaluate",
+        "plugins",
+        "plugins list",
+        "plugins info",
+        "plugins new",
+        "params",
+        "completions",
+        "man",
+    ] {
         let (out, _) = Workshop::empty().does(&format!("{verb} --help"));
         assert!(out.contains(&format!("  planform {verb}")) && out.contains("Example"), "{out}");
     }
@@ -69,11 +80,15 @@ fn plugins_are_listed_with_their_options() {
     for name in ["slam-grid", "svg", "dxf", "geojson"] {
         assert!(table.lines().any(|l| l.starts_with(name)), "{table}");
     }
-    assert!(w.does("plugins geojson").0.contains("boundary"));
+    assert_eq!(w.does("plugins list").0, table);
+    assert!(w.does("plugins info geojson").0.contains("boundary"));
     let all: Value = serde_json::from_str(&w.does("plugins --json").0).unwrap();
     assert_eq!(all.as_array().unwrap().len(), table.lines().count() - 1);
-    assert_eq!(w.does("plugins GeoJSON").0, w.does("plugins geojson").0);
-    w.refuses("plugins docx", 2, &["docx"]);
+    assert_eq!(w.does("plugins list --json").0, w.does("plugins --json").0);
+    let one: Value = serde_json::from_str(&w.does("plugins info svg --json").0).unwrap();
+    assert_eq!((one.as_array().unwrap().len(), &one[0]["kind"]), (1, &Value::from("write")));
+    assert_eq!(w.does("plugins info GeoJSON").0, w.does("plugins info geojson").0);
+    w.refuses("plugins info docx", 2, &["docx"]);
 }
 
 #[test]

@@ -16,7 +16,8 @@ pub struct InputArgs {
     /// Read the document with this input adapter, whatever it looks like
     #[arg(long, value_name = "ADAPTER")]
     from: Option<String>,
-    /// Set an option of every plugin that has it, or with PLUGIN.NAME=VALUE of one; `planform plugins NAME` lists them
+    /// Set an option of every plugin that has it, or with PLUGIN.NAME=VALUE of one; `planform plugins info NAME` lists
+    /// them
     #[arg(long = "set", value_name = "NAME=VALUE")]
     set: Vec<Setting>,
     /// Metres per cell, for documents that do not say: short for `--set resolution=M`

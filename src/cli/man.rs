@@ -23,12 +23,19 @@ fn page() -> io::Result<String> {
     man.render_title(&mut page)?;
     man.render_name_section(&mut page)?;
     page.extend(sections(&program)?.into_bytes());
-    for verb in program.get_subcommands().filter(|v| v.get_name() != "help") {
-        writeln!(page, ".SH \"PLANFORM {}\"", verb.get_name().to_uppercase())?;
+    for verb in verbs(&program) {
+        let name = verb.get_bin_name().unwrap_or(verb.get_name());
+        writeln!(page, ".SH \"{}\"", name.to_uppercase())?;
         page.extend(sections(verb)?.replace(".SH ", ".SS ").into_bytes());
     }
     man.render_version_section(&mut page)?;
     Ok(String::from_utf8_lossy(&page).into_owned())
+}
+
+/// All commands below this one, each before those below it.
+fn verbs(command: &Command) -> Vec<&Command> {
+    let below = command.get_subcommands().filter(|v| v.get_name() != "help");
+    below.flat_map(|verb| std::iter::once(verb).chain(verbs(verb))).collect()
 }
 
 /// What a page of the command's own would say, without title, name and version. The examples keep their lines.
@@ -49,7 +56,9 @@ mod tests {
     #[test]
     fn every_verb_and_option_is_on_the_page() {
         let page = super::page().unwrap();
-        for text in ["PLANFORM CONVERT", "PLANFORM INSPECT", "resolution", ".SH EXAMPLES"] {
+        for text in
+            ["PLANFORM CONVERT", "PLANFORM INSPECT", "PLANFORM PLUGINS NEW", "resolution", ".SH EXAMPLES"]
+        {
             assert!(page.contains(text), "{text} is missing");
         }
         assert!(!page.contains("\nExample"), "the heading is doubled");
