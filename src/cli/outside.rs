@@ -5,10 +5,11 @@ use super::failure::say;
 use super::progress::Voice;
 use crate::host::isolated::Limits;
 use crate::host::{OutsideSettings, Registry, messages};
-use clap::Args;
+use clap::{Args, value_parser};
 use std::path::PathBuf;
 use std::time::Duration;
 
+/// Where plugins from outside are looked for, and how they are run.
 #[derive(Args)]
 #[command(next_help_heading = "Plugins from outside")]
 pub struct OutsideArgs {
@@ -18,13 +19,26 @@ pub struct OutsideArgs {
     /// Run plugins within planform itself: quicker, but one that crashes or hangs takes planform with it
     #[arg(long)]
     trust_plugins: bool,
+    #[command(flatten)]
+    limits: LimitArgs,
+}
+
+/// What plugins from outside may take.
+#[derive(Args)]
+#[command(next_help_heading = "Plugins from outside")]
+pub struct LimitArgs {
     /// The longest that a plugin may take for one document
-    #[arg(long, value_name = "SECONDS", default_value_t = Limits::TIME, value_parser = clap::value_parser!(u64).range(1..=1_000_000))]
+    #[arg(long, value_name = "SECONDS", default_value_t = Limits::TIME, value_parser = value_parser!(u64).range(1..=MAX_TIME))]
     plugin_timeout: u64,
     /// The most memory that a plugin may take
-    #[arg(long, value_name = "MIB", default_value_t = Limits::MEMORY, value_parser = clap::value_parser!(u64).range(1..=1 << 20))]
+    #[arg(long, value_name = "MIB", default_value_t = Limits::MEMORY, value_parser = value_parser!(u64).range(1..=MAX_MEMORY))]
     plugin_memory: u64,
 }
+
+/// Eleven days.
+const MAX_TIME: u64 = 1_000_000;
+/// A TiB.
+const MAX_MEMORY: u64 = 1 << 20;
 
 impl OutsideArgs {
     /// The built-in plugins and those from outside. `echo` shows what these print on standard error.
@@ -32,11 +46,13 @@ impl OutsideArgs {
         if let Some(no) = self.plugin_dir.iter().find(|folder| !folder.is_dir()) {
             return Err(Failure::Usage(format!("--plugin-dir {}: is not a folder", no.display())));
         }
-        let isolation = if self.trust_plugins { None } else { Some(self.limits(echo)?) };
+        let isolation = if self.trust_plugins { None } else { Some(self.limits.limits(echo)?) };
         let settings = OutsideSettings { folders: self.plugin_dir.clone(), isolation };
         Ok(Registry::builtin().with_outside(settings))
     }
+}
 
+impl LimitArgs {
     /// The limits of the processes that run plugins.
     pub fn limits(&self, echo: bool) -> Result<Limits, Failure> {
         let program = std::env::current_exe()

@@ -111,7 +111,7 @@ impl Loaded {
         let (folders, faults) = search::folders(&settings.folders);
         let refusals = faults.into_iter().map(|reason| Refusal { library: None, reason }).collect();
         let mut loaded = Self { refusals, ..Self::default() };
-        for library in folders.iter().flat_map(|folder| search::libraries(folder)) {
+        for library in search::libraries_in(&folders) {
             match contents(&library, settings.isolation.as_ref()) {
                 Ok(contents) => loaded.add(&library, contents, taken),
                 Err(reason) => loaded.refusals.push(Refusal { library: Some(library), reason }),

@@ -1,5 +1,6 @@
 //! Where libraries of plugins are looked for.
 
+use std::collections::BTreeSet;
 use std::env;
 use std::env::consts::DLL_EXTENSION;
 use std::ffi::OsString;
@@ -36,8 +37,17 @@ pub fn users_folder(data_home: Option<OsString>, home: Option<PathBuf>) -> Optio
     Some(data.join("planform/plugins"))
 }
 
+/// The libraries in these folders, each once.
+pub fn libraries_in(folders: &[PathBuf]) -> Vec<PathBuf> {
+    let mut seen = BTreeSet::new();
+    let libraries = folders.iter().flat_map(|folder| libraries(folder));
+    libraries
+        .filter(|library| seen.insert(library.canonicalize().unwrap_or_else(|_| library.clone())))
+        .collect()
+}
+
 /// The libraries in a folder, by name. A folder that is not there has none.
-pub fn libraries(folder: &Path) -> Vec<PathBuf> {
+fn libraries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut libraries: Vec<_> =
         entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == DLL_EXTENSION)).collect();
@@ -73,5 +83,7 @@ mod tests {
             libraries(folder.path()).iter().map(|p| p.file_stem().unwrap().to_owned()).collect();
         assert_eq!(names, ["a", "b"]);
         assert!(libraries(&folder.path().join("none")).is_empty());
+        let twice = [folder.path().to_owned(), folder.path().join("."), folder.path().to_owned()];
+        assert_eq!(libraries_in(&twice).len(), 2);
     }
 }

@@ -1,10 +1,10 @@
 //! `planform plugins info`.
 
 use super::{Listed, all, json_of};
+use crate::cli::outside::OutsideArgs;
 use crate::cli::{Failure, failure::print};
 use crate::host::Registry;
 use clap::Args;
-use clap::builder::PossibleValuesParser;
 use planform_sdk::OptionSpec;
 
 /// Show one plugin with its options
@@ -12,30 +12,38 @@ use planform_sdk::OptionSpec;
 #[command(after_help = "Example:\n  planform plugins info svg")]
 pub struct InfoArgs {
     /// The plugin
-    #[arg(value_name = "NAME", value_parser = names(), ignore_case = true)]
+    #[arg(value_name = "NAME")]
     name: String,
     /// Print as JSON
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    outside: OutsideArgs,
 }
 
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
-    let registry = Registry::builtin();
-    let chosen = all(&registry).filter(|(_, info)| args.name.eq_ignore_ascii_case(&info.name));
-    let text = if args.json { json_of(chosen) } else { chosen.map(details).collect() };
+    let registry = args.outside.registry(false)?;
+    let chosen: Vec<_> = all(&registry).filter(|l| args.name.eq_ignore_ascii_case(&l.info.name)).collect();
+    if chosen.is_empty() {
+        return Err(no_such(&args.name, &registry));
+    }
+    let text = if args.json { json_of(chosen) } else { chosen.into_iter().map(details).collect() };
     print(text.as_bytes())
 }
 
-fn names() -> PossibleValuesParser {
-    let registry = Registry::builtin();
-    PossibleValuesParser::new(all(&registry).map(|(_, info)| info.name.clone()).collect::<Vec<_>>())
+fn no_such(name: &str, registry: &Registry) -> Failure {
+    let mut names: Vec<_> = all(registry).map(|l| l.info.name.as_str()).collect();
+    names.dedup();
+    let names = names.join(", ");
+    Failure::Usage(format!("there is no plugin `{name}`; there are {names}{}", registry.refused()))
 }
 
-fn details((kind, info): Listed<'_>) -> String {
+fn details(listed: Listed<'_>) -> String {
+    let (Listed { kind, info, origin: _ }, from) = (&listed, listed.from());
     let options: String = info.options.iter().map(option).collect();
     let heading = if options.is_empty() { "no options" } else { "options, given as --set NAME=VALUE" };
     format!(
-        "{} {} ({kind}s {})\n{}\n\nlicence      {}\nmedia types  {}\n\n{heading}\n{options}",
+        "{} {} ({kind}s {})\n{}\n\nfrom         {from}\nlicence      {}\nmedia types  {}\n\n{heading}\n{options}",
         info.name,
         info.version,
         info.extensions.join(", "),
