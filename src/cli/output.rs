@@ -64,7 +64,7 @@ fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<T
 fn no_exporter(name: &str, registry: &Registry) -> Failure {
     let names: Vec<_> = registry.exporters().map(|(e, _)| e.info().name.as_str()).collect();
     let names = names.join(", ");
-    Failure::Usage(format!("--to {name}: there is no such format; there are {names}{}", registry.refused()))
+    Failure::Usage(format!("--to: there is no format `{name}`; there are {names}{}", registry.refused()))
 }
 
 fn no_format(path: &Path, registry: &Registry) -> Failure {

@@ -1,6 +1,6 @@
 //! Whose document is it? Every input adapter is asked, the surest one wins.
 
-use super::Registry;
+use super::{Registry, messages};
 use planform_sdk::{Confidence, ErrorKind, InputAdapter, PluginError, Probe, Source};
 
 /// How many of a document's first bytes an adapter is shown.
@@ -62,8 +62,12 @@ impl Registry {
             .advise(format!("it reads {known}; `--from` names the adapter to try anyway{}", self.refused()))
     }
 
-    /// What might have helped and is not used, as the end of a sentence.
+    /// What might have helped and is not used, or failed when it was asked, as the end of a sentence.
     pub fn refused(&self) -> String {
-        self.refusals().iter().map(|refusal| format!("; {refusal}")).collect()
+        let refused = self.refusals().iter().map(|refusal| format!("; {refusal}"));
+        let warnings = messages().into_iter().filter(|(_, (warning, _))| *warning);
+        refused
+            .chain(warnings.map(|(plugin, (_, message))| format!("; plugin `{plugin}`: {message}")))
+            .collect()
     }
 }

@@ -188,12 +188,21 @@ impl Running {
 
     /// Ends the process, if it has not ended by itself, and what it started.
     fn end(mut self, late: bool) -> Death {
-        // It closes its output shortly before it has ended, and what it printed arrives shortly after.
-        let _ = self.errors.recv_timeout(if late { Duration::ZERO } else { LAST_WAIT });
-        let by_itself = has_ended(&mut self.child);
+        let by_itself = !late && self.is_ending();
         let status = self.kill().filter(|_| by_itself);
         let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
         Death { status, late, last_words: String::from_utf8_lossy(&words).into_owned(), peak: self.peak }
+    }
+
+    /// Whether the process ends by itself: it closes its output shortly before that, and what it printed arrives
+    /// shortly after.
+    fn is_ending(&mut self) -> bool {
+        let end = Instant::now() + LAST_WAIT;
+        let _ = self.errors.recv_timeout(LAST_WAIT);
+        while !has_ended(&mut self.child) && Instant::now() < end {
+            thread::sleep(Duration::from_millis(1));
+        }
+        has_ended(&mut self.child)
     }
 
     /// Ends the process and what it started, and waits for it.

@@ -22,7 +22,7 @@ pub fn guard<T>(work: impl FnOnce() -> T) -> Result<T, String> {
             std::mem::forget(again);
         }
         let place = PLACE.with(|p| p.try_borrow().map(|p| p.clone()).unwrap_or_default());
-        format!("panicked at {place}: {words}")
+        format!("it has a bug at {place}: {words}")
     })
 }
 
@@ -50,7 +50,7 @@ mod tests {
     fn a_panic_becomes_a_sentence() {
         assert_eq!(guard(|| 1), Ok(1));
         let sentence = guard(|| panic!("no room {}", 7)).unwrap_err();
-        assert!(sentence.starts_with("panicked at") && sentence.ends_with(": no room 7"), "{sentence}");
+        assert!(sentence.starts_with("it has a bug at ") && sentence.ends_with(": no room 7"), "{sentence}");
         assert!(guard(|| panic::panic_any(3)).is_err());
     }
 }
