@@ -1,15 +1,12 @@
 //! From the map frame to the coordinates in the file.
 
 use geographiclib_rs::{DirectGeodesic, Geodesic};
-use planform_sdk::{ErrorKind, GeoAnchor, PluginError, Point};
+use planform_sdk::{Bearing, GeoAnchor, PluginError, Point};
 use serde_json::{Value, json};
 
 /// A local system in metres, in the older WKT that every GDAL reads.
 const MAP_CRS: &str =
     r#"LOCAL_CS["map frame",LOCAL_DATUM["map origin",0],UNIT["metre",1],AXIS["x",EAST],AXIS["y",NORTH]]"#;
-
-/// Fewest metres in a degree of latitude anywhere on WGS 84, rounded down.
-const METRES_PER_DEGREE: f64 = 110_500.0;
 
 /// The frame of the coordinates in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,12 +56,8 @@ impl Frame {
     }
 
     fn position(&self, p: Point) -> Result<[f64; 2], PluginError> {
-        if !(p.x.is_finite() && p.y.is_finite()) {
-            let message = format!("the point ({}, {}) is not finite", p.x, p.y);
-            return Err(PluginError::new(ErrorKind::BadInput, message).advise("correct the layout"));
-        }
         match self {
-            Self::Map => Ok([p.x, p.y]),
+            Self::Map => p.finite().map(Into::into),
             Self::Earth(anchor) => on_earth(anchor, p),
         }
     }
@@ -82,24 +75,10 @@ impl Frame {
 
 /// Longitude (not wrapped) and latitude of a point by the azimuthal equidistant projection about the anchor.
 fn on_earth(anchor: &GeoAnchor, p: Point) -> Result<[f64; 2], PluginError> {
-    let (dx, dy) = (p.x - anchor.at.x, p.y - anchor.at.y);
-    let distance = dx.hypot(dy);
-    if distance >= (90.0 - anchor.latitude.abs()) * METRES_PER_DEGREE {
-        return Err(beyond_pole(p, distance));
-    }
-    let azimuth = anchor.bearing + dx.atan2(dy).to_degrees();
+    let Bearing { azimuth, distance } = anchor.bearing_to(p)?;
     let (latitude, longitude): (f64, f64) =
         Geodesic::wgs84().direct(anchor.latitude, anchor.longitude, azimuth, distance);
     Ok([anchor.longitude + half_turn(longitude - anchor.longitude), latitude])
-}
-
-fn beyond_pole(p: Point, distance: f64) -> PluginError {
-    let message = format!(
-        "the point ({}, {}) lies {distance:.0} m from the anchor, as far as a pole of the Earth or farther",
-        p.x, p.y
-    );
-    PluginError::new(ErrorKind::Unsupported, message)
-        .advise("check the anchor and the map's scale, or write metres, without an anchor")
 }
 
 /// The same angle within -180..180 degrees.
@@ -111,6 +90,7 @@ fn half_turn(degrees: f64) -> f64 {
 mod tests {
     use super::*;
     use geographiclib_rs::InverseGeodesic;
+    use planform_sdk::ErrorKind;
 
     fn earth(latitude: f64, longitude: f64, bearing: f64) -> Frame {
         Frame::Earth(GeoAnchor { latitude, longitude, bearing, at: Point::new(10.0, -5.0) })

@@ -30,14 +30,13 @@
 //! 3.1.9, would rather have it cut in two; readers that join the pieces of a room again are rare.) All other features
 //! keep to -180..180.
 
-mod anchor;
 mod features;
 mod frame;
 mod options;
 
 use frame::Frame;
 use geojson::Feature;
-use planform_sdk::{Document, Exporter, Layout, Options, PluginError};
+use planform_sdk::{Document, Exporter, GeoAnchor, Layout, Options, PluginError};
 use serde_json::{Value, json};
 use std::io::{self, Write};
 
@@ -47,7 +46,7 @@ pub fn exporter() -> Box<dyn Exporter> {
 }
 
 fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
-    let anchor = anchor::choose(options.text("anchor"), document.layout.anchor)?;
+    let anchor = GeoAnchor::chosen(options, document.layout.anchor)?;
     let frame = anchor.map_or(Frame::Map, Frame::Earth);
     let features = features::all(document.layout, &frame, options)?;
     Ok(write_collection(&members(document.layout, &frame), &features, out)?)

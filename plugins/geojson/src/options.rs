@@ -1,6 +1,6 @@
 //! What the plugin says of itself.
 
-use planform_sdk::{Boundary, OptionKind, OptionSpec, PluginInfo};
+use planform_sdk::{Boundary, GeoAnchor, OptionSpec, PluginInfo};
 
 /// Name, extensions, options.
 pub fn info() -> PluginInfo {
@@ -11,14 +11,8 @@ pub fn info() -> PluginInfo {
         licence: env!("CARGO_PKG_LICENSE").into(),
         extensions: vec!["geojson".into(), "json".into()],
         media_types: vec!["application/geo+json".into()],
-        options: vec![anchor(), Boundary::option(), lines()],
+        options: vec![GeoAnchor::option("metres"), Boundary::option(), lines()],
     }
-}
-
-fn anchor() -> OptionSpec {
-    let help = "LAT,LON,BEARING: where the map's origin lies (WGS 84, degrees) and where its y axis points \
-                (degrees clockwise from north); else the document's own anchor, else metres";
-    OptionSpec::new("anchor", help, OptionKind::Text, None)
 }
 
 fn lines() -> OptionSpec {

@@ -1,5 +1,6 @@
 //! Points, segments, polygons and poses in metres.
 
+use crate::{ErrorKind, PluginError};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -28,6 +29,15 @@ impl Point {
     /// ```
     pub fn distance(self, other: Self) -> f64 {
         (self.x - other.x).hypot(self.y - other.y)
+    }
+
+    /// The point, if it is somewhere: both coordinates are finite numbers.
+    pub fn finite(self) -> Result<Self, PluginError> {
+        if self.x.is_finite() && self.y.is_finite() {
+            return Ok(self);
+        }
+        let message = format!("the point ({}, {}) is not finite", self.x, self.y);
+        Err(PluginError::new(ErrorKind::BadInput, message).advise("correct the layout"))
     }
 
     /// The point half way to another one.

@@ -14,6 +14,7 @@
 
 pub mod abi;
 mod adapter;
+mod anchor;
 mod boundary;
 mod error;
 mod exporter;
@@ -25,6 +26,7 @@ mod scene;
 pub mod schema;
 
 pub use adapter::{Confidence, InputAdapter, Probe, Source};
+pub use anchor::Bearing;
 pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
 pub use exporter::{Document, Exporter, WriteFn, exporter};
