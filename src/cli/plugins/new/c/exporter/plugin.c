@@ -1,6 +1,6 @@
 /*
  * Writes a table of the rooms in CSV (RFC 4180): number, name, area, centre, and how many doors lead out. planform.h
- * tells what all the structs mean, and planform's layout.schema.json what a layout holds.
+ * tells what all the structs mean, and planform's docs/plugins.md what a layout holds.
  */
 
 #include "planform.h"
