@@ -1,6 +1,6 @@
 //! Which rooms are corridors.
 //!
-//! The tagging calls a walled, connecting way a corridor. So a room is one if it is long and narrow and leads somewhere:
+//! The tagging calls a walled, connecting way a corridor. So a room is one if it is long, narrow and leads somewhere:
 //!
 //! * as long and wide as the rectangle of its area and its outline's length, it is at least [`RATIO`] times as long as
 //!   wide, which holds for corridors round corners as well, and

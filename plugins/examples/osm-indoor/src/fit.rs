@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn what_no_outline_is_near_to_stays() {
         fitted(|outlines| {
-            let across = [g(1500, 1100), g(2500, 1900)];
+            let across = [g(200, 200), g(1000, 1000)];
             assert_eq!(outlines.wall(across, [Some(1), None]), across);
             assert_eq!(outlines.wall(across, [None, None]), across);
             assert_eq!(outlines.door([g(20_000, 0), g(20_000, 900)], [1, 2]), g(20_000, 450));
@@ -171,8 +171,15 @@ mod tests {
     fn doors_lie_where_both_outlines_do() {
         fitted(|outlines| {
             assert_eq!(outlines.door([g(4100, 1000), g(4100, 1900)], [1, 2]), g(4000, 1450));
-            // Nearer to the foot of its own room's side, which is not the other room's.
-            assert_eq!(outlines.door([g(4100, 1000), g(4100, 1900)], [2, 1]), g(4000, 1450));
         });
+    }
+
+    #[test]
+    fn a_side_of_both_rooms_is_preferred_to_a_nearer_one() {
+        let [_, low] = rings();
+        let stepped = [g(0, 0), g(4000, 0), g(4000, 3000), g(4300, 3000), g(4300, 5000), g(0, 5000)];
+        let stepped = vec![stepped.to_vec()];
+        let outlines = Outlines::new([(1, stepped.as_slice()), (2, low.as_slice())]);
+        assert_eq!(outlines.door([g(4700, 2400), g(4700, 2580)], [1, 2]), g(4000, 2490));
     }
 }

@@ -25,9 +25,9 @@
 //! without the attribute `action`, which is for changes to old ones, so there is none. `upload="false"` makes JOSM ask
 //! before it uploads: whoever imports a building should have looked at it.
 //!
-//! An identifier is a hash of what the object is: of a node's place, of a room's corners, and of the level. So an object
-//! that did not change keeps its identifier when the rest of the layout did, and two files can be compared line by line
-//! (`identity.rs`).
+//! An identifier is a hash of what the object is: of a node's place, of a room's corners, and of the level. So an
+//! object that did not change keeps its identifier when the rest of the layout did, and two files can be compared line
+//! by line (`identity.rs`).
 //!
 //! # Coordinates
 //!

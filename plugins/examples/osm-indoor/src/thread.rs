@@ -63,9 +63,12 @@ mod tests {
     #[test]
     fn a_ring_goes_through_what_lies_on_it_and_through_nothing_else() {
         let square = grains([[0, 0], [1000, 0], [1000, 1000], [0, 1000]]);
-        let others = grains([[500, 1], [250, -2], [400, 3], [-1, 0], [1000, 700], [-500, 0], [500, 500]]);
-        let nodes = Nodes::new(square.iter().chain(&others).copied());
-        let expected = grains([[0, 0], [250, -2], [500, 1], [1000, 0], [1000, 700], [1000, 1000], [0, 1000]]);
+        let beside = grains([[-1, 0], [-500, 0], [500, 500]]);
+        let on_it = grains([[500, 1], [250, -2], [1000, 700], [300, 1000], [600, 1000]]);
+        let nodes = Nodes::new(square.iter().chain(&beside).chain(&on_it).copied());
+        let bottom = [[0, 0], [250, -2], [500, 1]];
+        let rest = [[1000, 0], [1000, 700], [1000, 1000], [600, 1000], [300, 1000], [0, 1000]];
+        let expected = [grains(bottom), grains(rest)].concat();
         assert_eq!(nodes.ring(&square), expected);
     }
 

@@ -170,6 +170,16 @@ fn walls_measured_beside_the_outlines_make_no_nodes_of_their_own() {
 }
 
 #[test]
+fn along_the_inner_faces_rooms_meet_neither_doors_nor_walls() {
+    let osm = Osm::read(&write(&flat(), &[("anchor", ANCHOR), ("boundary", "inner")]).unwrap());
+    let walls = osm.ways.values().filter(|w| w.tags.get("indoor").is_some_and(|v| v == "wall"));
+    let on_walls: BTreeSet<_> = walls.flat_map(|w| &w.nodes).collect();
+    assert!(on_walls.iter().all(|node| rings_at(&osm, node) == 0));
+    let doors = osm.nodes.iter().filter(|(_, n)| n.tags.contains_key("door"));
+    assert!(doors.into_iter().all(|(id, _)| on_walls.contains(id)));
+}
+
+#[test]
 fn neighbours_share_nodes_though_their_corners_do_not_meet() {
     let left = room(1, "left", [[0.0, 0.0], [4.0, 0.0], [4.0, 6.0], [0.0, 6.0]]);
     let right = room(2, "right", [[4.0, 1.0], [8.0, 1.0], [8.0, 3.0], [4.0, 3.0]]);
