@@ -32,6 +32,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/abi/table.rs"
     "plugins/sdk/src/abi/types.rs"
     "plugins/sdk/src/adapter.rs"
+    "plugins/sdk/src/anchor.rs"
     "plugins/sdk/src/boundary.rs"
     "plugins/sdk/src/error.rs"
     "plugins/sdk/src/exporter.rs"
