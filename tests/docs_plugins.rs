@@ -11,7 +11,8 @@ use std::process::Command;
 
 const PAGE: &str = include_str!("../docs/plugins.md");
 
-/// Where all projects' dependencies are compiled, once.
+/// Where all projects' dependencies are compiled, once. Cargo tells projects in it apart by their names alone, so a
+/// name always stands for the same kind.
 const BUILD: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/plugins");
 
 /// The blocks of the page that are marked as being in this language.

@@ -14,7 +14,8 @@ use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Where all projects' dependencies are compiled, once.
+/// Where all projects' dependencies are compiled, once. Cargo tells projects in it apart by their names alone, so a
+/// name always stands for the same kind.
 const BUILD: &str = concat!(env!("CARGO_TARGET_TMPDIR"), "/plugins");
 
 /// A new project, built: its folder, and its library in it.
