@@ -70,6 +70,7 @@ pub struct PlanformValue(());
 
 /// What planform offers to a plugin. Valid for ever.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformHost {
     /// sizeof(PlanformHost), as planform was compiled.
     pub size: usize,
@@ -100,6 +101,7 @@ pub struct PlanformHost {
 
 /// What an adapter or exporter says of itself. Valid for ever; no text may be NULL unless it says so.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformInfo {
     /// sizeof(PlanformInfo).
     pub size: usize,
@@ -124,6 +126,7 @@ pub struct PlanformInfo {
 
 /// A JSON document, both as it is written and as values to be walked through. Valid until the call returns.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformJson {
     /// sizeof(PlanformJson), as planform was compiled.
     pub size: usize,
@@ -135,6 +138,7 @@ pub struct PlanformJson {
 
 /// What went wrong in a call.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformProblem {
     /// sizeof(PlanformProblem).
     pub size: usize,
@@ -152,6 +156,7 @@ pub struct PlanformProblem {
 
 /// What an adapter may look at to recognise a document. Valid until the call returns.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformProbe {
     /// sizeof(PlanformProbe), as planform was compiled.
     pub size: usize,
@@ -172,6 +177,7 @@ pub type PlanformTake = unsafe extern "C" fn(receiver: *mut c_void, bytes: *cons
 
 /// A document to be read. Valid until the call returns.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformSource {
     /// sizeof(PlanformSource), as planform was compiled.
     pub size: usize,
@@ -197,6 +203,7 @@ pub struct PlanformSource {
 
 /// An occupancy grid, as ROS's nav_msgs/OccupancyGrid.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformGrid {
     /// sizeof(PlanformGrid).
     pub size: usize,
@@ -220,6 +227,7 @@ pub struct PlanformGrid {
 
 /// A text that a document shows.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformText {
     /// sizeof(PlanformText).
     pub size: usize,
@@ -241,6 +249,7 @@ pub struct PlanformText {
 
 /// A symbol that a document shows, such as a fire extinguisher.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformSymbol {
     /// sizeof(PlanformSymbol).
     pub size: usize,
@@ -262,6 +271,7 @@ pub struct PlanformSymbol {
 
 /// Where the map frame lies on the Earth.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformAnchor {
     /// sizeof(PlanformAnchor).
     pub size: usize,
@@ -280,6 +290,7 @@ pub struct PlanformAnchor {
 /// Takes what an adapter finds in a document. Valid until the call returns. A callback copies what it is given; one
 /// that does not return PLANFORM_OK has refused it, and the adapter should give up and return that status.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformSceneSink {
     /// sizeof(PlanformSceneSink), as planform was compiled.
     pub size: usize,
@@ -307,6 +318,7 @@ pub struct PlanformSceneSink {
 
 /// What an exporter writes. Valid until the call returns.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformDocument {
     /// sizeof(PlanformDocument), as planform was compiled.
     pub size: usize,
@@ -320,6 +332,7 @@ pub struct PlanformDocument {
 
 /// Takes an output. Valid until the call returns.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformOutput {
     /// sizeof(PlanformOutput), as planform was compiled.
     pub size: usize,
@@ -334,6 +347,7 @@ pub struct PlanformOutput {
 
 /// Reads one family of document formats. Valid for ever.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformAdapter {
     /// sizeof(PlanformAdapter).
     pub size: usize,
@@ -358,6 +372,7 @@ pub struct PlanformAdapter {
 
 /// Writes layouts in one format. Valid for ever.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformExporter {
     /// sizeof(PlanformExporter).
     pub size: usize,
@@ -379,6 +394,7 @@ pub struct PlanformExporter {
 
 /// What a plugin library offers. Valid for ever.
 #[repr(C)]
+#[derive(Clone, Copy)]
 pub struct PlanformPlugin {
     /// sizeof(PlanformPlugin).
     pub size: usize,

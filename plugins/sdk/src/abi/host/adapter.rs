@@ -19,7 +19,9 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// An input adapter by its table.
 pub struct AbiAdapter {
-    table: &'static PlanformAdapter,
+    /// What its functions are given.
+    address: *const PlanformAdapter,
+    table: PlanformAdapter,
     info: PluginInfo,
     /// Held during calls of a library that does not claim to be safe with threads.
     lock: Option<&'static Mutex<()>>,
@@ -32,17 +34,17 @@ unsafe impl Send for AbiAdapter {}
 unsafe impl Sync for AbiAdapter {}
 
 impl AbiAdapter {
-    /// The adapter of this table; `lock` is held during its calls if it needs that.
+    /// The adapter of the table at this address; `lock` is held during its calls if it needs that.
     ///
     /// # Safety
     ///
-    /// `table` is NULL or an adapter's table of a library that keeps to the ABI and is never unloaded.
+    /// `address` is NULL or that of an adapter's table of a library that keeps to the ABI and is never unloaded.
     pub(super) unsafe fn new(
-        table: *const PlanformAdapter,
+        address: *const PlanformAdapter,
         lock: &'static Mutex<()>,
     ) -> Result<Self, LoadError> {
         // SAFETY: as the caller promises.
-        let table: &'static PlanformAdapter = unsafe { look(table) }?;
+        let table = unsafe { look(address) }?;
         // SAFETY: as the caller promises.
         let (info, flags) = unsafe { info::read(table.info) }?;
         for (function, is_there) in [("probe", table.probe.is_some()), ("read", table.read.is_some())] {
@@ -50,7 +52,7 @@ impl AbiAdapter {
                 return Err(LoadError::NoFunction { name: info.name, function });
             }
         }
-        Ok(Self { table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
+        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
     }
 
     /// Whether it claims that it may be called from several threads at once.
@@ -108,7 +110,7 @@ impl AbiAdapter {
         let _locked = self.locked();
         let Some(read) = self.table.read else { return Err(of_plugin("it has no function `read`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
-        let status = unsafe { read(self.table, &crossing, &options.as_table(), &files.receiver.sink()) };
+        let status = unsafe { read(self.address, &crossing, &options.as_table(), &files.receiver.sink()) };
         Ok(files.receiver.end(status))
     }
 
@@ -127,7 +129,7 @@ impl AbiAdapter {
         let _locked = self.locked();
         let Some(probe) = self.table.probe else { return Err(of_plugin("it has no function `probe`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
-        let answer = unsafe { probe(self.table, &crossing) };
+        let answer = unsafe { probe(self.address, &crossing) };
         match u8::try_from(answer) {
             Ok(percent) if percent <= 100 => Ok(Confidence { percent, reason: said.into_inner() }),
             _ => Err(of_plugin(&format!("its probe answers {answer}, which is not within 0 to 100"))),

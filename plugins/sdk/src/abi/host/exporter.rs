@@ -19,7 +19,9 @@ use std::sync::{Mutex, PoisonError};
 
 /// An exporter by its table.
 pub struct AbiExporter {
-    table: &'static PlanformExporter,
+    /// What its functions are given.
+    address: *const PlanformExporter,
+    table: PlanformExporter,
     info: PluginInfo,
     /// Held during calls of a library that does not claim to be safe with threads.
     lock: Option<&'static Mutex<()>>,
@@ -32,23 +34,23 @@ unsafe impl Send for AbiExporter {}
 unsafe impl Sync for AbiExporter {}
 
 impl AbiExporter {
-    /// The exporter of this table; `lock` is held during its calls if it needs that.
+    /// The exporter of the table at this address; `lock` is held during its calls if it needs that.
     ///
     /// # Safety
     ///
-    /// `table` is NULL or an exporter's table of a library that keeps to the ABI and is never unloaded.
+    /// `address` is NULL or that of an exporter's table of a library that keeps to the ABI and is never unloaded.
     pub(super) unsafe fn new(
-        table: *const PlanformExporter,
+        address: *const PlanformExporter,
         lock: &'static Mutex<()>,
     ) -> Result<Self, LoadError> {
         // SAFETY: as the caller promises.
-        let table: &'static PlanformExporter = unsafe { look(table) }?;
+        let table = unsafe { look(address) }?;
         // SAFETY: as the caller promises.
         let (info, flags) = unsafe { info::read(table.info) }?;
         if table.write.is_none() {
             return Err(LoadError::NoFunction { name: info.name, function: "write" });
         }
-        Ok(Self { table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
+        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
     }
 
     /// Whether it claims that it may be called from several threads at once.
@@ -100,7 +102,7 @@ impl AbiExporter {
         let _locked = self.lock.map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner));
         let Some(write) = self.table.write else { return Err(of_plugin("it has no function `write`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
-        let status = unsafe { write(self.table, &crossing, &options.as_table(), &output) };
+        let status = unsafe { write(self.address, &crossing, &options.as_table(), &output) };
         let fault = receiver.0.into_inner().unwrap_or_else(PoisonError::into_inner).fault;
         Ok(Trial { late_calls: fault.late_calls(), status, result: fault.end(status) })
     }

@@ -110,7 +110,7 @@ impl Plugin {
 /// # Safety
 ///
 /// As for [`Plugin::of_tables`].
-unsafe fn checked_version(plugin: *const PlanformPlugin) -> Result<&'static PlanformPlugin, LoadError> {
+unsafe fn checked_version(plugin: *const PlanformPlugin) -> Result<PlanformPlugin, LoadError> {
     if plugin.is_null() {
         return Err(LoadError::Refused);
     }

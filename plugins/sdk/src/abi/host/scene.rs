@@ -133,14 +133,14 @@ unsafe fn take(
 /// # Safety
 ///
 /// As for [`look`].
-unsafe fn looked<'a, T: Table>(table: *const T) -> Result<&'a T, PluginError> {
+unsafe fn looked<T: Table>(table: *const T) -> Result<T, PluginError> {
     // SAFETY: as the caller promises.
     unsafe { look(table) }.map_err(|e| of_plugin(&e.to_string()))
 }
 
 unsafe extern "C" fn grid(context: *mut c_void, grid: *const PlanformGrid) -> PlanformStatus {
     // SAFETY: the plugin hands back the context that it was given, and a grid of its own.
-    unsafe { take(context, |taken| taken.take_grid(grid_of(looked(grid)?)?)) }
+    unsafe { take(context, |taken| taken.take_grid(grid_of(&looked(grid)?)?)) }
 }
 
 /// # Safety
@@ -193,7 +193,7 @@ unsafe extern "C" fn text(context: *mut c_void, text: *const PlanformText) -> Pl
     // SAFETY: the plugin hands back the context that it was given, and a text of its own.
     unsafe {
         take(context, |taken| {
-            let PlanformText { size: _, content, x, y, yaw, width, height, confidence } = *looked(text)?;
+            let PlanformText { size: _, content, x, y, yaw, width, height, confidence } = looked(text)?;
             finite([x, y, yaw, width, height, confidence], "a text")?;
             let content = text_of(content, "a text")?;
             let text = Text { content, pose: Pose { x, y, yaw }, width, height, confidence };
@@ -206,7 +206,7 @@ unsafe extern "C" fn symbol(context: *mut c_void, symbol: *const PlanformSymbol)
     // SAFETY: the plugin hands back the context that it was given, and a symbol of its own.
     unsafe {
         take(context, |taken| {
-            let PlanformSymbol { size: _, kind, x, y, yaw, width, height, score } = *looked(symbol)?;
+            let PlanformSymbol { size: _, kind, x, y, yaw, width, height, score } = looked(symbol)?;
             finite([x, y, yaw, width, height, score], "a symbol")?;
             let kind = text_of(kind, "the kind of a symbol")?;
             let symbol = Symbol { kind, pose: Pose { x, y, yaw }, width, height, score };
@@ -219,7 +219,7 @@ unsafe extern "C" fn anchor(context: *mut c_void, anchor: *const PlanformAnchor)
     // SAFETY: the plugin hands back the context that it was given, and an anchor of its own.
     unsafe {
         take(context, |taken| {
-            let PlanformAnchor { size: _, latitude, longitude, bearing, x, y } = *looked(anchor)?;
+            let PlanformAnchor { size: _, latitude, longitude, bearing, x, y } = looked(anchor)?;
             finite([latitude, longitude, bearing, x, y], "the anchor")?;
             taken.annotations.anchor = Some(GeoAnchor { latitude, longitude, bearing, at: Point::new(x, y) });
             Ok(())

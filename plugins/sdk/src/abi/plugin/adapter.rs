@@ -70,7 +70,7 @@ unsafe extern "C" fn read(
     });
     match scene.unwrap_or_else(|panic| Err(problem::of_panic(panic))) {
         // SAFETY: the sink is the host's, and its call has not ended.
-        Ok(scene) => unsafe { hand_over(&scene, sink) },
+        Ok(scene) => unsafe { hand_over(&scene, &sink) },
         // SAFETY: as above.
         Err(e) => unsafe { problem::report(sink.fail, sink.context, &e) },
     }

@@ -33,7 +33,7 @@ unsafe extern "C" fn write(
 ) -> PlanformStatus {
     // SAFETY: the host hands over an output of its own.
     let Ok(output) = (unsafe { look(output) }) else { return PLANFORM_PLUGIN_FAULT };
-    let mut sink = Sink { output, refusal: None };
+    let mut sink = Sink { output: &output, refusal: None };
     let written = guard(|| {
         // SAFETY: `table` put a Box<dyn Exporter> there, which is never freed.
         let exporter = unsafe { (*(*exporter).data.cast::<Box<dyn Exporter>>()).as_ref() };
