@@ -93,7 +93,11 @@ impl fmt::Display for Bounds {
             ("below", self.below),
             ("of at most", self.max),
         ];
-        bounds.iter().try_for_each(|(words, bound)| bound.map_or(Ok(()), |b| write!(f, " {words} {b}")))
+        let bounds = bounds.iter().filter_map(|(words, bound)| Some((words, (*bound)?)));
+        bounds.enumerate().try_for_each(|(i, (words, bound))| {
+            let and = if i > 0 { " and" } else { "" };
+            write!(f, "{and} {words} {bound}")
+        })
     }
 }
 
