@@ -38,3 +38,8 @@ fn dxf() {
 fn geojson() {
     compare("geojson");
 }
+
+#[test]
+fn json() {
+    compare("layout.json");
+}

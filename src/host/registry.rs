@@ -2,6 +2,7 @@
 
 use super::outside::{Loaded, Outside, OutsideSettings, Refusal, Taken};
 use planform_sdk::{Exporter, InputAdapter};
+use std::cmp::Reverse;
 use std::path::Path;
 
 /// The input adapters and exporters that a run can choose from, in the order in which ties are decided.
@@ -28,7 +29,12 @@ impl Registry {
     pub fn builtin() -> Self {
         Self::new(
             vec![planform_slam_grid::adapter()],
-            vec![planform_svg::exporter(), planform_dxf::exporter(), planform_geojson::exporter()],
+            vec![
+                planform_svg::exporter(),
+                planform_dxf::exporter(),
+                planform_geojson::exporter(),
+                planform_json::exporter(),
+            ],
         )
     }
 
@@ -92,10 +98,88 @@ impl Registry {
         builtin.or_else(|| self.exporters().map(|(e, _)| e).find(|e| e.info().name == name))
     }
 
-    /// The exporter that writes files with this path's extension, in whatever case.
+    /// The exporter that writes files with this path's extension, in whatever case: that with the longest extension, as
+    /// `plan.layout.json` is not just any `.json`. Those from outside are asked only if no built-in one will do.
     pub fn exporter_for(&self, path: &Path) -> Option<&dyn Exporter> {
-        let extension = path.extension()?.to_str()?.to_lowercase();
-        let writes = |e: &&dyn Exporter| e.info().extensions.contains(&extension);
-        self.builtin_exporters().find(writes).or_else(|| self.exporters().map(|(e, _)| e).find(writes))
+        let name = path.file_name()?.to_string_lossy().to_lowercase();
+        longest(self.builtin_exporters(), &name).or_else(|| longest(self.exporters().map(|(e, _)| e), &name))
+    }
+}
+
+/// The exporter with the longest extension that this file name has, the first of several.
+fn longest<'a>(
+    exporters: impl Iterator<Item = &'a dyn Exporter>,
+    file_name: &str,
+) -> Option<&'a dyn Exporter> {
+    let matching = exporters.filter_map(|e| Some((extension_length(e, file_name)?, e)));
+    matching.min_by_key(|(length, _)| Reverse(*length)).map(|(_, exporter)| exporter)
+}
+
+/// The length of the exporter's longest extension that this file name has, after something and a dot.
+fn extension_length(exporter: &dyn Exporter, file_name: &str) -> Option<usize> {
+    let stem = |extension: &str| file_name.strip_suffix(extension)?.strip_suffix('.');
+    let has = |extension: &&String| stem(extension).is_some_and(|stem| !stem.is_empty());
+    exporter.info().extensions.iter().filter(has).map(String::len).max()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use planform_sdk::PluginInfo;
+
+    fn exporter(name: &str, extensions: &[&str]) -> Box<dyn Exporter> {
+        let info = PluginInfo {
+            name: name.into(),
+            description: String::new(),
+            version: String::new(),
+            licence: String::new(),
+            extensions: extensions.iter().map(|e| (*e).to_owned()).collect(),
+            media_types: vec![],
+            options: vec![],
+        };
+        planform_sdk::exporter(info, |_, _, _| Ok(()))
+    }
+
+    #[test]
+    fn the_longest_extension_tells_the_exporter() {
+        let exporters = vec![
+            exporter("any", &["json", "b.json"]),
+            exporter("late", &["a.b.json", "json"]),
+            exporter("longest", &["x.a.b.json"]),
+        ];
+        let registry = Registry::new(vec![], exporters);
+        let name = |path: &str| registry.exporter_for(Path::new(path)).map(|e| e.info().name.as_str());
+        for (path, expected) in [
+            ("plan.json", Some("any")),
+            ("plan.B.JSON", Some("any")),
+            ("folder.a.b.json/plan.json", Some("any")),
+            ("plan.a.b.json", Some("late")),
+            ("Straße.A.b.Json", Some("late")),
+            ("1.x.a.b.json", Some("longest")),
+            ("x.a.b.json", Some("late")),
+            (".json", None),
+            ("json", None),
+            ("planjson", None),
+            ("plan.json.gz", None),
+            ("..", None),
+        ] {
+            assert_eq!(name(path), expected, "{path}");
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn names_need_not_be_utf8() {
+        use std::os::unix::ffi::OsStrExt;
+        let registry = Registry::builtin();
+        let path = Path::new(std::ffi::OsStr::from_bytes(b"caf\xe9.svg"));
+        assert_eq!(registry.exporter_for(path).unwrap().info().name, "svg");
+    }
+
+    #[test]
+    fn json_is_geojson_unless_it_is_a_layout() {
+        let registry = Registry::builtin();
+        let name = |path: &str| registry.exporter_for(Path::new(path)).unwrap().info().name.as_str();
+        assert_eq!(["a.json", "a.layout.json", "layout.json"].map(name), ["geojson", "json", "geojson"]);
     }
 }
