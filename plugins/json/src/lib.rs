@@ -1,7 +1,7 @@
 //! Writes layouts whole, as JSON.
 //!
-//! The file is one object, a [`Layout`] with all that is in it, as plugins are given it. Numbers have all their
-//! digits: reading the file back gives the same layout to the last bit.
+//! The file is one object, a [`Layout`] with all that is in it, as `schemas/layout.schema.json` describes it and as
+//! plugins are given it. Numbers have all their digits: reading the file back gives the same layout to the last bit.
 //!
 //! ```
 //! use planform_sdk::{Document, Layout, Options};
@@ -25,7 +25,7 @@ use std::io::Write;
 pub fn exporter() -> Box<dyn Exporter> {
     let info = PluginInfo {
         name: "json".into(),
-        description: "JSON: the whole layout, for programs".into(),
+        description: "JSON: the whole layout, for programs, by layout.schema.json".into(),
         version: env!("CARGO_PKG_VERSION").into(),
         licence: env!("CARGO_PKG_LICENSE").into(),
         extensions: vec!["layout.json".into()],

@@ -108,9 +108,11 @@ impl From<Segment> for [Point; 2] {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Polygon {
     /// The outer ring.
+    #[schemars(length(min = 3))]
     pub exterior: Vec<Point>,
     /// The rings of the holes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[schemars(inner(length(min = 3)))]
     pub holes: Vec<Vec<Point>>,
 }
 

@@ -39,6 +39,7 @@ pub struct Layout {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Room {
     /// Its number, from 1.
+    #[schemars(range(min = 1))]
     pub id: RoomId,
     /// What the document calls it, if it does.
     pub name: Option<String>,
@@ -73,10 +74,13 @@ pub struct Wall {
     /// Its centre line.
     pub line: Segment,
     /// Distance between its two faces, metres.
+    #[schemars(range(min = 0))]
     pub thickness: f64,
     /// The share of it that the document shows as obstacle, 0 to 1: how sure the wall is.
+    #[schemars(range(min = 0, max = 1))]
     pub weight: f64,
-    /// The rooms to its left and right, seen from `line.a` to `line.b`; none is outside.
+    /// The rooms to its left and right, seen from the first end of its line to the second; none is outside.
+    #[schemars(inner(range(min = 1)))]
     pub rooms: [Option<RoomId>; 2],
 }
 
@@ -98,6 +102,7 @@ pub struct Opening {
     /// From jamb to jamb, along the wall's centre line.
     pub segment: Segment,
     /// The two rooms it joins, the smaller id first.
+    #[schemars(inner(range(min = 1)))]
     pub rooms: [RoomId; 2],
 }
 
@@ -114,6 +119,7 @@ pub struct Frontier {
     /// Where it runs.
     pub segment: Segment,
     /// The partial room it belongs to.
+    #[schemars(range(min = 1))]
     pub room: RoomId,
 }
 
@@ -123,6 +129,7 @@ pub struct RepresentativeLine {
     /// Where it runs.
     pub segment: Segment,
     /// Total length of the wall segments that it stands for, metres.
+    #[schemars(range(min = 0))]
     pub support: f64,
 }
 

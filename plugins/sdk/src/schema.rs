@@ -5,24 +5,65 @@
 //! of such schemas.
 
 use crate::{Annotations, Bounds, Layout, OptionKind, OptionSpec, OptionValue};
-use schemars::{JsonSchema, schema_for};
-use serde::{Deserialize, Serialize};
+use schemars::generate::{Contract, SchemaSettings};
+use schemars::transform::transform_subschemas;
+use schemars::{JsonSchema, Schema};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
+/// Where the schemas are published: what their `$id`s begin with.
+const ADDRESS: &str = "https://github.com/planform/planform/blob/main/schemas/";
+
 /// The schema of layouts.
 pub fn layout() -> Value {
-    schema_for!(Layout).to_value()
+    let description = "The layout of one floor: what planform's exporter json writes, and what the exporters of \
+        plugins are given. Every coordinate is in metres in the map frame, x to the right, y up. Rings are valid by \
+        OGC simple features, exteriors run counter-clockwise, and no two rooms overlap. Later versions of planform \
+        may add members: skip those that you do not know.";
+    schema::<Layout>("layout", "Layout of a building", description, Contract::Serialize)
 }
 
 /// The schema of the annotations of a scene: texts, symbols, anchor, provenance, warnings.
 pub fn scene() -> Value {
-    schema_for!(Annotations).to_value()
+    let description = "What planform found in a document beside its occupancy grid: what the exporters of plugins \
+        are given together with the grid. Every coordinate is in metres in the map frame, x to the right, y up. \
+        Later versions of planform may add members: skip those that you do not know.";
+    schema::<Annotations>("scene", "Annotations of a scene", description, Contract::Serialize)
 }
 
 /// The schema of the schemas that describe a plugin's options.
 pub fn options() -> Value {
-    schema_for!(OptionsSchema).to_value()
+    let description = "How a plugin describes its options to planform: as a JSON Schema of an object whose \
+        properties are the options. Only the keywords listed here may be used. Bounds are for numbers and integers, \
+        `enum` is for strings, and a default has to fit its own option.";
+    schema::<OptionsSchema>("options", "Options of a plugin", description, Contract::Deserialize)
+}
+
+/// The schema of what is read or written as `T`, under this name, with what a reader of the file wants to know first.
+fn schema<T: JsonSchema>(name: &str, title: &str, description: &str, contract: Contract) -> Value {
+    let settings = SchemaSettings::draft2020_12().with(|s| s.contract = contract).with_transform(plain);
+    let mut schema = settings.into_generator().into_root_schema_for::<T>();
+    schema.insert("$id".into(), format!("{ADDRESS}{name}.schema.json").into());
+    schema.insert("title".into(), title.into());
+    schema.insert("description".into(), description.into());
+    schema.to_value()
+}
+
+/// Says in plain JSON Schema what schemars says by formats of its own, which strict validators refuse, and each
+/// description on one line.
+fn plain(schema: &mut Schema) {
+    match schema.remove("format").as_ref().and_then(Value::as_str) {
+        Some("uint32") => drop(schema.insert("maximum".into(), u32::MAX.into())),
+        Some("double") | None => {}
+        Some(standard) => drop(schema.insert("format".into(), standard.into())),
+    }
+    if let Some(description) = schema.get_mut("description")
+        && let Some(text) = description.as_str()
+    {
+        *description = text.replace('\n', " ").into();
+    }
+    transform_subschemas(&mut plain, schema);
 }
 
 /// The options of a plugin: the part of JSON Schema that planform understands.
@@ -30,10 +71,17 @@ pub fn options() -> Value {
 #[serde(deny_unknown_fields, rename_all = "camelCase")]
 struct OptionsSchema {
     /// The dialect, for other programs.
-    #[serde(rename = "$schema", skip_serializing_if = "Option::is_none")]
+    #[serde(
+        rename = "$schema",
+        default,
+        deserialize_with = "given",
+        skip_serializing_if = "Option::is_none"
+    )]
+    #[schemars(with = "String")]
     dialect: Option<String>,
     /// A title, for other programs.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(default, deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     title: Option<String>,
     /// Options are the properties of an object.
     #[serde(rename = "type")]
@@ -43,7 +91,13 @@ struct OptionsSchema {
     properties: BTreeMap<String, Property>,
     /// There are never others.
     #[serde(default)]
+    #[schemars(extend("const" = false))]
     additional_properties: bool,
+}
+
+/// A member that may be left out, but not be null.
+fn given<'a, D: Deserializer<'a>, T: Deserialize<'a>>(value: D) -> Result<Option<T>, D::Error> {
+    T::deserialize(value).map(Some)
 }
 
 #[derive(Serialize, Deserialize, JsonSchema)]
@@ -60,25 +114,32 @@ struct Property {
     #[serde(rename = "type")]
     kind: PropertyType,
     /// One line for people, units included.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "String")]
     description: Option<String>,
     /// The value when the user gives none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "OptionValue")]
     default: Option<OptionValue>,
     /// The words to choose from.
-    #[serde(rename = "enum", skip_serializing_if = "Option::is_none")]
+    #[serde(rename = "enum", deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Vec<String>")]
     words: Option<Vec<String>>,
     /// Only numbers above this one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64")]
     exclusive_minimum: Option<f64>,
     /// No number below this one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64")]
     minimum: Option<f64>,
     /// Only numbers below this one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64")]
     exclusive_maximum: Option<f64>,
     /// No number above this one.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(deserialize_with = "given", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "f64")]
     maximum: Option<f64>,
 }
 
