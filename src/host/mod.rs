@@ -12,7 +12,7 @@ mod settings;
 mod trust;
 
 pub use claims::Claim;
-pub use outside::{Loaded, Message, OutsideSettings, Outsider, Refusal, messages};
+pub use outside::{Contents, Loaded, Message, OutsideSettings, Outsider, Refusal, load, messages};
 pub use registry::{Origin, Registry};
 pub use search::PATH_VARIABLE;
 pub use settings::{Setting, run_options};

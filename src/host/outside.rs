@@ -104,7 +104,7 @@ impl Outside {
 }
 
 /// The adapters and exporters of one library.
-type Contents = (Vec<Box<dyn InputAdapter>>, Vec<Box<dyn Exporter>>);
+pub type Contents = (Vec<Box<dyn InputAdapter>>, Vec<Box<dyn Exporter>>);
 
 impl Loaded {
     fn by(settings: &OutsideSettings, taken: &Taken) -> Self {
@@ -112,7 +112,7 @@ impl Loaded {
         let refusals = faults.into_iter().map(|reason| Refusal { library: None, reason }).collect();
         let mut loaded = Self { refusals, ..Self::default() };
         for library in search::libraries_in(&folders) {
-            match contents(&library, settings.isolation.as_ref()) {
+            match load(&library, settings.isolation.as_ref()) {
                 Ok(contents) => loaded.add(&library, contents, taken),
                 Err(reason) => loaded.refusals.push(Refusal { library: Some(library), reason }),
             }
@@ -150,7 +150,9 @@ fn shadow(kind: &str, name: &str, taken: &[String], before: Option<&Path>) -> Op
     Some(format!("its {kind} `{name}` is shadowed by {by}"))
 }
 
-fn contents(library: &Path, isolation: Option<&Limits>) -> Result<Contents, String> {
+/// Loads one library by itself, whatever the names of its plugins: into a process with these limits, or into this one.
+/// Fails with what is wrong with it, as a sentence that goes on after the library's name.
+pub fn load(library: &Path, isolation: Option<&Limits>) -> Result<Contents, String> {
     let Some(limits) = isolation else {
         let plugin = library::load(library)?;
         return Ok(boxed(plugin.adapters, plugin.exporters));

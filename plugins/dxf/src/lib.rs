@@ -75,3 +75,6 @@ mod version;
 mod walls;
 
 pub use exporter::exporter;
+
+#[cfg(feature = "plugin")]
+planform_sdk::export_plugin!(adapters: [], exporters: [exporter()]);

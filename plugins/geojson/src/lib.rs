@@ -45,6 +45,9 @@ pub fn exporter() -> Box<dyn Exporter> {
     planform_sdk::exporter(options::info(), write)
 }
 
+#[cfg(feature = "plugin")]
+planform_sdk::export_plugin!(adapters: [], exporters: [exporter()]);
+
 fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
     let anchor = GeoAnchor::chosen(options, document.layout.anchor)?;
     let frame = anchor.map_or(Frame::Map, Frame::Earth);

@@ -35,6 +35,9 @@ pub fn exporter() -> Box<dyn Exporter> {
     planform_sdk::exporter(info, write)
 }
 
+#[cfg(feature = "plugin")]
+planform_sdk::export_plugin!(adapters: [], exporters: [exporter()]);
+
 fn write(document: &Document<'_>, _: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
     // Every member by its name, so that none can be forgotten.
     let Layout { rooms, walls, openings, frontiers, lines, texts, symbols, anchor, provenance, method } =

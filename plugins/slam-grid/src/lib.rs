@@ -31,6 +31,9 @@ pub fn adapter() -> Box<dyn InputAdapter> {
     Box::new(SlamGrid { info: options::info() })
 }
 
+#[cfg(feature = "plugin")]
+planform_sdk::export_plugin!(adapters: [adapter()], exporters: []);
+
 struct SlamGrid {
     info: PluginInfo,
 }

@@ -47,6 +47,9 @@ pub fn exporter() -> Box<dyn Exporter> {
     planform_sdk::exporter(options::info(), write)
 }
 
+#[cfg(feature = "plugin")]
+planform_sdk::export_plugin!(adapters: [], exporters: [exporter()]);
+
 fn write(document: &Document<'_>, options: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
     let drawing = draw(document, options)?;
     writeln!(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{drawing}")?;
