@@ -1,4 +1,5 @@
 //! Where plugins from outside are found, and when they are loaded.
+#![cfg(target_os = "linux")]
 
 mod cli_support;
 mod plugin_support;
@@ -138,6 +139,26 @@ fn trusted_or_not_the_result_is_the_same() {
     assert_eq!(convert("").1, b"done\n");
     let (out, _) = w.does("inspect doc.x --plugin-dir p");
     assert!(out.contains("exit is 90 % sure") && out.contains("100 x 100 cells"), "{out}");
+}
+
+#[test]
+fn a_plugin_can_talk_to_the_user() {
+    let w = Workshop::new();
+    bad_plugin(&w.path("p"), "talk", "read", &[]);
+    bad_plugin(&w.path("q"), "talk", "write", &[]);
+    w.write("doc.x", "talk");
+    for args in [
+        "convert doc.x -o out.svg --force --plugin-dir p",
+        "convert map.yaml -o out.talk --force --plugin-dir q",
+    ] {
+        for args in [args.to_owned(), format!("{args} --trust-plugins")] {
+            let (_, err) = w.does(&args);
+            assert!(err.contains("warning: plugin talk: the plan is old\\nand \\u{1b}[31mred"), "{err}");
+            assert!(!err.contains("three floors"), "{err}");
+            assert!(w.does(&format!("{args} --verbose")).1.contains("plugin talk: it has three floors"));
+            assert_eq!(w.does(&format!("{args} --quiet")).1, "");
+        }
+    }
 }
 
 #[test]

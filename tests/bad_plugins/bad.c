@@ -57,6 +57,14 @@ MAYBE void do_exit(void) { exit(3); }
 
 MAYBE void do_divide(void) { raise(SIGFPE); }
 
+static const PlanformHost *host;
+
+/* Does no harm: it talks to the user in the way that it should. */
+MAYBE void do_talk(void) {
+  host->log(PLANFORM_LOG_WARNING, planform_string("the plan is old\nand \x1b[31mred"));
+  host->log(PLANFORM_LOG_INFO, planform_string("it has three floors"));
+}
+
 /* Leaves a process behind that would run for ever, and then crashes. */
 MAYBE void do_orphan(void) {
   if (fork() == 0) do_sleep();
@@ -127,8 +135,8 @@ static const PlanformExporter *const EXPORTERS[] = {&EXPORTER, NULL};
 static const PlanformPlugin PLUGIN = {
     .size = SIZE, .abi_major = MAJOR, .abi_minor = 0, .adapters = ADAPTERS, .exporters = EXPORTERS};
 
-const PlanformPlugin *planform_plugin(const PlanformHost *host) {
-  (void)host;
+const PlanformPlugin *planform_plugin(const PlanformHost *given) {
+  host = given;
   at("load");
   return strcmp(WHEN, "refuse") == 0 ? NULL : &PLUGIN;
 }

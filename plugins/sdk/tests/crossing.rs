@@ -13,7 +13,7 @@ use planform_sdk::abi::host::Plugin;
 use planform_sdk::abi::plugin::Tables;
 use planform_sdk::{
     Boundary, Confidence, Document, ErrorKind, Exporter, InputAdapter, Layout, OptionSpec, Options, Place,
-    PluginError, PluginInfo, Probe, Scene, Source,
+    PluginError, PluginInfo, Probe, Scene, Segment, Source, Wall,
 };
 use proptest::prelude::*;
 use std::io::Write;
@@ -192,6 +192,19 @@ fn a_panic_is_an_error_that_says_where() {
     let e = read(&reader(|_| panic!("no wall is as thick as {}", 7)), b"").unwrap_err();
     assert_eq!(e.kind, ErrorKind::Plugin);
     assert!(e.message.contains("no wall is as thick as 7"), "{e}");
+}
+
+#[test]
+fn a_layout_that_json_cannot_hold_is_not_the_plugins_fault() {
+    let plugin = crossed(vec![], vec![Box::new(Keeper { info: info("keeper"), kept: Arc::default() })]);
+    let wall = Wall { line: Segment::default(), thickness: f64::NAN, weight: 1.0, rooms: [None; 2] };
+    let layout = Layout { walls: vec![wall], ..Layout::default() };
+    let document = Document { layout: &layout, scene: None };
+    let e = plugin.exporters[0].write(&document, &options(&[]), &mut vec![]).unwrap_err();
+    assert_eq!(
+        (e.kind, e.message.as_str()),
+        (ErrorKind::BadInput, "the layout has a number that is not finite")
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::death::{Death, address_space};
 use super::wire::{self, Answer, Reply, Request, SceneHeader};
 use super::{Limits, VERB};
-use planform_sdk::abi::host::note;
+use planform_sdk::abi::host::{exact, note};
 use planform_sdk::{
     Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene,
     Source,
@@ -339,6 +339,9 @@ impl Exporter for Remote {
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<(), PluginError> {
+        // Told here: the plugin's process could not even read it.
+        exact(document.layout)?;
+        document.scene.map(|scene| exact(&scene.annotations())).transpose()?;
         let request = Request::Write {
             exporter: self.number,
             layout: Box::new(document.layout.clone()),

@@ -95,7 +95,7 @@ impl AbiAdapter {
         source: &Source,
         options: &Options,
     ) -> Result<Trial<Scene>, PluginError> {
-        let options = Json::new(options)?;
+        let options = Json::of_options(options)?;
         let files = Files { source, receiver };
         let path = Terminated::of_path(&source.path);
         let crossing = PlanformSource {

@@ -82,7 +82,7 @@ impl AbiExporter {
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<Trial<()>, PluginError> {
-        let (layout, options) = (Json::new(document.layout)?, Json::new(options)?);
+        let (layout, options) = (Json::new(document.layout)?, Json::of_options(options)?);
         let scene = document.scene.map(|scene| Json::new(&scene.annotations())).transpose()?;
         let grid = document.scene.map(|scene| PlanformGrid::of(&scene.grid));
         let (layout, scene) = (layout.as_table(), scene.as_ref().map(Json::as_table));

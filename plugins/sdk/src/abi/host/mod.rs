@@ -12,6 +12,7 @@ mod value;
 pub use adapter::AbiAdapter;
 pub use exporter::AbiExporter;
 pub use fault::Trial;
+pub use json::exact;
 pub use value::{Log, host_table, logged, note};
 
 use super::table::{TableError, look};
