@@ -146,7 +146,7 @@ typedef struct PlanformInfo {
   // The options as a JSON Schema of an object, see options.schema.json; NULL for none.
   const char *options;
   // PLANFORM_THREAD_SAFE, or 0.
-  uint32_t flags;
+  uint64_t flags;
 } PlanformInfo;
 
 // What an adapter may look at to recognise a document. Valid until the call returns.

@@ -34,7 +34,8 @@ pub enum TableError {
 pub unsafe trait Table: Copy {
     /// What it is called in messages.
     const WHAT: &'static str;
-    /// How many bytes it had in version 1.0.
+    /// How many bytes it had in version 1.0. No padding is among the last of them: a field that is added there later
+    /// would be read from where an older writer wrote nothing.
     const LEAST: usize;
 }
 
@@ -71,13 +72,17 @@ const fn end_of<T, F>(offset: usize, _: fn(&T) -> &F) -> usize {
     offset + size_of::<F>()
 }
 
-/// Structs with their last fields in version 1.0, which stay the same when fields are added behind them.
+/// Structs with their last fields in version 1.0, which stay named here when fields are added behind them.
 macro_rules! tables {
     ($($table:ident . $last:ident $what:literal),* $(,)?) => {$(
         // SAFETY: it is repr(C), begins with `size: usize`, and has no field behind that of version 1.0.
         unsafe impl Table for super::$table {
             const WHAT: &'static str = $what;
-            const LEAST: usize = end_of(offset_of!(Self, $last), |table: &Self| &table.$last);
+            const LEAST: usize = {
+                let least = end_of(offset_of!(Self, $last), |table: &Self| &table.$last);
+                assert!(least.is_multiple_of(align_of::<Self>()), "it ends with padding");
+                least
+            };
         }
     )*};
 }
@@ -111,14 +116,14 @@ mod tests {
     #[derive(Clone, Copy)]
     struct Old {
         size: usize,
-        width: u32,
+        width: u64,
     }
 
     #[repr(C)]
     #[derive(Clone, Copy)]
     struct New {
         size: usize,
-        width: u32,
+        width: u64,
         height: u32,
         more: Option<extern "C" fn() -> u32>,
     }

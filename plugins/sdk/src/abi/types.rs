@@ -26,7 +26,7 @@ pub const PLANFORM_IO: i32 = 5;
 pub const PLANFORM_PLUGIN_FAULT: i32 = 6;
 
 /// The flag of a plugin whose functions may be called from several threads at the same time.
-pub const PLANFORM_THREAD_SAFE: u32 = 1;
+pub const PLANFORM_THREAD_SAFE: u64 = 1;
 
 /// What PlanformProblem.position counts: nothing, the problem has no place.
 pub const PLANFORM_NOWHERE: u32 = 0;
@@ -121,7 +121,7 @@ pub struct PlanformInfo {
     /// The options as a JSON Schema of an object, see options.schema.json; NULL for none.
     pub options: *const c_char,
     /// PLANFORM_THREAD_SAFE, or 0.
-    pub flags: u32,
+    pub flags: u64,
 }
 
 /// A JSON document, both as it is written and as values to be walked through. Valid until the call returns.

@@ -13,7 +13,7 @@ use std::ffi::c_char;
 /// # Safety
 ///
 /// `info` is NULL or a table of a library that keeps to the ABI.
-pub unsafe fn read(info: *const PlanformInfo) -> Result<(PluginInfo, u32), LoadError> {
+pub unsafe fn read(info: *const PlanformInfo) -> Result<(PluginInfo, u64), LoadError> {
     // SAFETY: as the caller promises.
     let table = unsafe { look(info) }?;
     // SAFETY: its texts are C strings or NULL, its lists end with NULL.
