@@ -1,20 +1,15 @@
 //! What input adapters must stand.
 
 use super::material::{self, Specimen};
-use super::{Subject, about_to_try, bad_options, decent, defaults, information_of};
+use super::{REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, on_threads};
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiAdapter;
 use planform_sdk::{InputAdapter, PluginError, Probe, Scene, Source};
 use std::path::Path;
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// The longest that a probe may take: every adapter is asked about every document.
 const QUICK: Duration = Duration::from_secs(1);
-
-/// How often, and on how many threads at once, the same is read.
-const REPEATS: usize = 20;
-const THREADS: usize = 4;
 
 pub fn information(subject: &Subject<'_>) -> Result<(), String> {
     subject.plugin.adapters.iter().try_for_each(|a| information_of(a.info()))
@@ -161,11 +156,7 @@ pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
             return Err("it reads something else from the sample when it reads it again".into());
         }
         about_to_try("the sample on several threads at once");
-        let agreed = thread::scope(|scope| {
-            let threads: Vec<_> = (0..THREADS).map(|_| scope.spawn(repeat)).collect();
-            threads.into_iter().all(|thread| thread.join().unwrap_or(false))
-        });
-        if adapter.is_thread_safe() && !agreed {
+        if adapter.is_thread_safe() && !on_threads(repeat) {
             return Err("it says that it is thread-safe, and reads something else on several threads".into());
         }
     }

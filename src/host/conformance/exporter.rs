@@ -1,16 +1,13 @@
 //! What exporters must stand.
 
 use super::adapter::shortened;
-use super::{Subject, about_to_try, bad_options, decent, defaults, information_of, material};
+use super::{
+    REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, material, on_threads,
+};
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiExporter;
 use planform_sdk::{Document, Exporter, Layout, PluginError, Scene};
 use std::io::{self, Write};
-use std::thread;
-
-/// How often, and on how many threads at once, the same is written.
-const REPEATS: usize = 20;
-const THREADS: usize = 4;
 
 pub fn information(subject: &Subject<'_>) -> Result<(), String> {
     subject.plugin.exporters.iter().try_for_each(|e| information_of(e.info()))
@@ -116,11 +113,7 @@ pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
             return Err("it writes other bytes when it writes the same layout again".into());
         }
         about_to_try("two rooms on several threads at once");
-        let agreed = thread::scope(|scope| {
-            let threads: Vec<_> = (0..THREADS).map(|_| scope.spawn(repeat)).collect();
-            threads.into_iter().all(|thread| thread.join().unwrap_or(false))
-        });
-        if exporter.is_thread_safe() && !agreed {
+        if exporter.is_thread_safe() && !on_threads(repeat) {
             return Err("it says that it is thread-safe, and writes other bytes on several threads".into());
         }
     }

@@ -11,6 +11,7 @@ use planform_sdk::abi::host::Plugin;
 use planform_sdk::{ErrorKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo, Source};
 use std::path::Path;
 use std::sync::Arc;
+use std::thread;
 
 /// What is tried: a library's plugins, and a document that its input adapters read.
 pub struct Subject<'a> {
@@ -165,6 +166,18 @@ fn decent(what: &str, error: &PluginError) -> Result<(), String> {
     Ok(())
 }
 
+/// How often, and on how many threads at once, the same is read or written.
+const REPEATS: usize = 20;
+const THREADS: usize = 4;
+
+/// Whether a repetition comes to the same on several threads at once.
+fn on_threads(repeat: impl Fn() -> bool + Sync) -> bool {
+    thread::scope(|scope| {
+        let threads: Vec<_> = (0..THREADS).map(|_| scope.spawn(&repeat)).collect();
+        threads.into_iter().all(|thread| thread.join().unwrap_or(false))
+    })
+}
+
 /// The options that a user gets who sets none.
 fn defaults(specs: &[OptionSpec]) -> Options {
     // No option is given that could be refused.
@@ -189,6 +202,12 @@ fn bad_options(specs: &[OptionSpec]) -> Vec<Options> {
     };
     let bad = names.flat_map(|name| values.iter().map(move |value| with(name.clone(), value)));
     bad.chain([Options::default()]).collect()
+}
+
+/// A path that is not UTF-8, where there can be one.
+#[cfg(test)]
+pub fn odd_path() -> std::ffi::OsString {
+    material::path_not_utf8("plan").map_or_else(|| "plan".into(), Into::into)
 }
 
 #[cfg(test)]

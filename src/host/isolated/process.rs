@@ -70,7 +70,7 @@ impl Process {
 
     /// Does a check of the conformance suite; the fault that it found.
     pub fn check(&self, number: usize, sample: Option<&Source>) -> Result<Option<String>, PluginError> {
-        let path = sample.map(|s| s.path.as_os_str().as_encoded_bytes().to_vec());
+        let path = sample.map(|s| s.path.clone().into());
         let block = sample.map(|s| s.bytes.clone()).unwrap_or_default();
         match self.ask(Request::Check { number, path }, block)? {
             (Answer::Checked(fault), _) => Ok(fault),
@@ -293,7 +293,7 @@ pub struct Remote {
 impl Remote {
     /// As [`InputAdapter::probe`], but a plugin that fails at it is told.
     fn confidence(&self, probe: &Probe<'_>) -> Result<Confidence, PluginError> {
-        let path = probe.path.as_os_str().as_encoded_bytes().to_vec();
+        let path = probe.path.into();
         let request = Request::Probe { adapter: self.number, path };
         match self.process.ask(request, probe.head.to_vec())? {
             (Answer::Claim(confidence), _) => Ok(confidence),
@@ -317,7 +317,7 @@ impl InputAdapter for Remote {
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
         let request = Request::Read {
             adapter: self.number,
-            path: source.path.as_os_str().as_encoded_bytes().to_vec(),
+            path: source.path.clone().into(),
             byte_limit: source.byte_limit,
             options: wire::values(options),
         };

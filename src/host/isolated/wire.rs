@@ -10,6 +10,7 @@ use planform_sdk::{
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::io::{self, Read, Write};
 
 /// What the plugin's process is asked. The plugins of a library are numbered from 0, adapters and exporters each.
@@ -18,13 +19,13 @@ pub enum Request {
     /// Which plugins are in the library?
     Describe,
     /// Whose document is it? The block is its first bytes.
-    Probe { adapter: usize, path: Vec<u8> },
+    Probe { adapter: usize, path: PathName },
     /// Read the document in the block.
-    Read { adapter: usize, path: Vec<u8>, byte_limit: u64, options: Values },
+    Read { adapter: usize, path: PathName, byte_limit: u64, options: Values },
     /// Write the layout. The block is the grid's cells.
     Write { exporter: usize, layout: Box<Layout>, scene: Option<SceneHeader>, options: Values },
     /// Do this check of the conformance suite. The block is the sample document, if there is a path.
-    Check { number: usize, path: Option<Vec<u8>> },
+    Check { number: usize, path: Option<PathName> },
 }
 
 /// What it answers.
@@ -52,6 +53,9 @@ pub struct Reply {
     pub answer: Answer,
     pub logged: Vec<Log>,
 }
+
+/// A path, which need not be UTF-8.
+pub type PathName = OsString;
 
 /// The values of a run's options.
 pub type Values = BTreeMap<String, OptionValue>;
@@ -142,9 +146,10 @@ mod tests {
     #[test]
     fn messages_arrive() {
         let mut pipe = vec![];
-        send(&mut pipe, &Request::Probe { adapter: 3, path: b"\xff".to_vec() }, b"head").unwrap();
+        let path = crate::host::conformance::odd_path();
+        send(&mut pipe, &Request::Probe { adapter: 3, path: path.clone() }, b"head").unwrap();
         let (request, block) = receive::<Request>(&mut pipe.as_slice(), 1000).unwrap();
-        assert!(matches!(request, Request::Probe { adapter: 3, path } if path == b"\xff"));
+        assert!(matches!(request, Request::Probe { adapter: 3, path: p } if p == path));
         assert_eq!(block, b"head");
     }
 

@@ -1,6 +1,6 @@
 //! The process that runs a plugin.
 
-use super::wire::{self, Answer, Reply, Request, SceneHeader, Values};
+use super::wire::{self, Answer, PathName, Reply, Request, SceneHeader, Values};
 use crate::host::conformance::{self, Subject};
 use crate::host::library;
 use planform_sdk::abi::host::{Plugin, logged};
@@ -9,7 +9,7 @@ use planform_sdk::{
 };
 use std::fs::File;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::thread;
 
@@ -100,9 +100,9 @@ fn end() {
 fn answer(plugin: &Plugin, request: Request, block: Vec<u8>) -> (Answer, Vec<u8>) {
     let answer = match request {
         Request::Describe => Ok((describe(plugin), vec![])),
-        Request::Probe { adapter, path } => probe(plugin, adapter, &path, &block),
+        Request::Probe { adapter, path } => probe(plugin, adapter, Path::new(&path), &block),
         Request::Read { adapter, path, byte_limit, options } => {
-            let source = Source { path: path_of(&path), bytes: block, byte_limit };
+            let source = Source { path: path.into(), bytes: block, byte_limit };
             read(plugin, adapter, &source, options)
         }
         Request::Write { exporter, layout, scene, options } => {
@@ -123,9 +123,9 @@ fn describe(plugin: &Plugin) -> Answer {
 
 type Answered = Result<(Answer, Vec<u8>), PluginError>;
 
-fn probe(plugin: &Plugin, adapter: usize, path: &[u8], head: &[u8]) -> Answered {
+fn probe(plugin: &Plugin, adapter: usize, path: &Path, head: &[u8]) -> Answered {
     let adapter = plugin.adapters.get(adapter).ok_or_else(no_such)?;
-    let confidence = adapter.confidence(&Probe { path: &path_of(path), head })?;
+    let confidence = adapter.confidence(&Probe { path, head })?;
     Ok((Answer::Claim(confidence), vec![]))
 }
 
@@ -151,22 +151,11 @@ fn write(
     Ok((Answer::Written, output))
 }
 
-fn check(plugin: &Plugin, number: usize, path: Option<Vec<u8>>, bytes: Vec<u8>) -> Answer {
-    let sample = path.map(|path| Source { path: path_of(&path), bytes, byte_limit: Source::BYTE_LIMIT });
+fn check(plugin: &Plugin, number: usize, path: Option<PathName>, bytes: Vec<u8>) -> Answer {
+    let sample = path.map(|path| Source { path: path.into(), bytes, byte_limit: Source::BYTE_LIMIT });
     Answer::Checked(conformance::run(number, &Subject { plugin, sample: sample.as_ref() }).err())
 }
 
 fn no_such() -> PluginError {
     PluginError::new(ErrorKind::Plugin, "the library holds no plugin of this number")
-}
-
-#[cfg(unix)]
-fn path_of(bytes: &[u8]) -> PathBuf {
-    use std::os::unix::ffi::OsStrExt;
-    PathBuf::from(std::ffi::OsStr::from_bytes(bytes))
-}
-
-#[cfg(not(unix))]
-fn path_of(bytes: &[u8]) -> PathBuf {
-    PathBuf::from(String::from_utf8_lossy(bytes).into_owned())
 }
