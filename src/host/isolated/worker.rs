@@ -7,7 +7,6 @@ use planform_sdk::abi::host::{Plugin, logged};
 use planform_sdk::{
     Document, ErrorKind, Exporter, InputAdapter, Layout, Options, PluginError, PluginInfo, Probe, Source,
 };
-use std::fs::File;
 use std::io;
 use std::path::Path;
 use std::sync::mpsc::{Receiver, sync_channel};
@@ -41,10 +40,10 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
 
 /// Standard output for answers alone: what the plugin prints there goes to standard error.
 #[cfg(unix)]
-fn own_output() -> io::Result<File> {
+fn own_output() -> io::Result<std::fs::File> {
     let own = rustix::io::fcntl_dupfd_cloexec(rustix::stdio::stdout(), 3)?;
     rustix::stdio::dup2_stdout(rustix::stdio::stderr())?;
-    Ok(File::from(own))
+    Ok(own.into())
 }
 
 #[cfg(not(unix))]
