@@ -45,8 +45,6 @@ pub struct ConvertArgs {
     force: bool,
     #[command(flatten)]
     method: MethodArgs,
-    #[command(flatten)]
-    outside: OutsideArgs,
     /// Paint what each step found into this folder, as `01-clutter.png` and so on
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
@@ -56,6 +54,9 @@ pub struct ConvertArgs {
     /// Tell nothing but errors
     #[arg(short, long)]
     quiet: bool,
+    // The heading that it begins would hold whatever comes after it.
+    #[command(flatten)]
+    outside: OutsideArgs,
 }
 
 impl ConvertArgs {
