@@ -102,7 +102,7 @@ fn at_probing() {
 
 #[test]
 fn at_loading() {
-    for misdeed in ["segfault", "loop", "exit", "orphan"] {
+    for misdeed in ["segfault", "loop", "exit", "orphan", "exhaust", "allocate"] {
         let w = workshop(misdeed, "load", &[]);
         fails(&w, READ, &["is no kind of document", &format!("p/{misdeed}.so` is not used: it ")]);
     }

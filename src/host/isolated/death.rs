@@ -11,18 +11,13 @@ pub struct Death {
     pub late: bool,
     /// The end of what it printed on standard error.
     pub last_words: String,
-    /// The most address space that it was seen with, bytes.
+    /// The most address space that the plugin was seen with, bytes.
     pub peak: u64,
 }
 
 impl Death {
     /// What happened, and what the user can do about it if that is not to tell the plugin's maker.
     pub fn told(&self, limits: &Limits) -> (String, Option<String>) {
-        if self.late {
-            let seconds = limits.time.as_secs_f64();
-            let advice = "`--plugin-timeout SECONDS` allows more".into();
-            return (format!("it took longer than the {seconds} s that it may"), Some(advice));
-        }
         if self.last_words.contains("has overflowed its stack") {
             return ("it ran out of stack, perhaps by calling itself without end".into(), None);
         }
@@ -32,6 +27,11 @@ impl Death {
                 format!("it took more than the {} MiB of memory that it may", limits.memory),
                 Some(advice),
             );
+        }
+        if self.late {
+            let seconds = limits.time.as_secs_f64();
+            let advice = "`--plugin-timeout SECONDS` allows more".into();
+            return (format!("it took longer than the {seconds} s that it may"), Some(advice));
         }
         (self.status.map_or_else(|| "it broke off its talk with planform".into(), ended), None)
     }

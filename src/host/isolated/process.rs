@@ -91,7 +91,7 @@ impl Process {
             Some(started) => started,
             None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
         };
-        let (Reply { answer, logged }, block) = match started.ask(request, block, &self.limits) {
+        let (Reply { answer, logged, own: _ }, block) = match started.ask(request, block, &self.limits) {
             Ok((reply, started)) => {
                 *running = Some(started);
                 reply
@@ -130,7 +130,11 @@ struct Running {
     replies: Receiver<Answered>,
     errors: Receiver<()>,
     last_words: Arc<Mutex<Vec<u8>>>,
+    /// The most address space that it was seen with, bytes.
     peak: u64,
+    /// How much of that is planform's own, once it said so.
+    own: Option<u64>,
+    has_been_waited_for: bool,
 }
 
 impl Running {
@@ -155,6 +159,8 @@ impl Running {
             errors: overhear(errors, Arc::clone(&last_words), limits.echo),
             last_words,
             peak: 0,
+            own: None,
+            has_been_waited_for: false,
         })
     }
 
@@ -170,7 +176,10 @@ impl Running {
         let end = Instant::now() + limits.time;
         loop {
             match self.replies.recv_timeout(LOOK.min(end.saturating_duration_since(Instant::now()))) {
-                Ok(reply) => return Ok((reply, self)),
+                Ok(reply) => {
+                    self.own = Some(reply.0.own);
+                    return Ok((reply, self));
+                }
                 Err(RecvTimeoutError::Timeout) if self.goes_on(limits) && Instant::now() < end => {}
                 Err(e) => {
                     let late = e == RecvTimeoutError::Timeout && Instant::now() >= end;
@@ -183,7 +192,9 @@ impl Running {
     /// Whether the process lives and has not taken too much memory.
     fn goes_on(&mut self, limits: &Limits) -> bool {
         self.peak = self.peak.max(address_space(self.child.id()).unwrap_or(0));
-        self.peak <= limits.bytes() && !has_ended(&mut self.child)
+        // Until its own share is known, the system's limit has to do.
+        let within = self.own.is_none_or(|own| self.peak.saturating_sub(own) <= limits.bytes());
+        within && !has_ended(&mut self.child)
     }
 
     /// Ends the process, if it has not ended by itself, and what it started.
@@ -191,7 +202,8 @@ impl Running {
         let by_itself = !late && self.is_ending();
         let status = self.kill().filter(|_| by_itself);
         let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
-        Death { status, late, last_words: String::from_utf8_lossy(&words).into_owned(), peak: self.peak }
+        let peak = self.peak.saturating_sub(self.own.unwrap_or(0));
+        Death { status, late, last_words: String::from_utf8_lossy(&words).into_owned(), peak }
     }
 
     /// Whether the process ends by itself: it closes its output shortly before that, and what it printed arrives
@@ -207,6 +219,10 @@ impl Running {
 
     /// Ends the process and what it started, and waits for it.
     fn kill(&mut self) -> Option<ExitStatus> {
+        // From then on its number may be another's.
+        if std::mem::replace(&mut self.has_been_waited_for, true) {
+            return None;
+        }
         #[cfg(unix)]
         if let Some(group) = i32::try_from(self.child.id()).ok().and_then(rustix::process::Pid::from_raw) {
             // Fails when all of them have ended.

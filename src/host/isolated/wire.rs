@@ -52,6 +52,8 @@ pub enum Answer {
 pub struct Reply {
     pub answer: Answer,
     pub logged: Vec<Log>,
+    /// How much address space the process took before it loaded the plugin, bytes.
+    pub own: u64,
 }
 
 /// A path, which need not be UTF-8.

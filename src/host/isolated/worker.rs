@@ -24,7 +24,7 @@ type Call = (Request, Vec<u8>);
 /// them. At most `memory` MiB are taken.
 pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
     let mut out = own_output()?;
-    limit_memory(memory)?;
+    let own = limit_memory(memory)?;
     let calls = listen(memory.saturating_mul(1 << 20));
     // Not before somebody listens: it may never come back.
     let plugin = library::load(library);
@@ -33,7 +33,7 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
             Ok(plugin) => answer(plugin, request, block),
             Err(reason) => (Answer::Unusable(reason.clone()), vec![]),
         };
-        wire::send(&mut out, &Reply { answer, logged: logged() }, &block)?;
+        wire::send(&mut out, &Reply { answer, logged: logged(), own }, &block)?;
     }
     Ok(())
 }
@@ -51,9 +51,10 @@ fn own_output() -> io::Result<io::Stdout> {
     Ok(io::stdout())
 }
 
-/// Has the system refuse more memory than this, in MiB, and write no core file.
+/// Has the system refuse more memory than this, in MiB, and write no core file. How much address space this process
+/// takes by itself, bytes.
 #[cfg(unix)]
-fn limit_memory(memory: u64) -> io::Result<()> {
+fn limit_memory(memory: u64) -> io::Result<u64> {
     use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
     let limit = |resource, to: u64| {
         let before = getrlimit(resource);
@@ -65,12 +66,12 @@ fn limit_memory(memory: u64) -> io::Result<()> {
     let most = memory.saturating_add(MARGIN).saturating_mul(1 << 20).saturating_add(own);
     // Not every system can limit the address space; the time limit holds there too.
     let _ = limit(Resource::As, most);
-    Ok(())
+    Ok(own)
 }
 
 #[cfg(not(unix))]
-fn limit_memory(_: u64) -> io::Result<()> {
-    Ok(())
+fn limit_memory(_: u64) -> io::Result<u64> {
+    Ok(0)
 }
 
 /// Reads requests as they come. When no more can come, this process ends, whatever the plugin is doing.
