@@ -91,7 +91,7 @@ impl Process {
             Some(started) => started,
             None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
         };
-        let (Reply { answer, logged, own: _ }, block) = match started.ask(request, block, &self.limits) {
+        let (Reply { answer, logged }, block) = match started.ask(request, block, &self.limits) {
             Ok((reply, started)) => {
                 *running = Some(started);
                 reply
@@ -132,7 +132,7 @@ struct Running {
     last_words: Arc<Mutex<Vec<u8>>>,
     /// The most address space that it was seen with, bytes.
     peak: u64,
-    /// How much of that is planform's own, once it said so.
+    /// How much of that is planform's own, which it says before it loads the library.
     own: Option<u64>,
     has_been_waited_for: bool,
 }
@@ -176,10 +176,8 @@ impl Running {
         let end = Instant::now() + limits.time;
         loop {
             match self.replies.recv_timeout(LOOK.min(end.saturating_duration_since(Instant::now()))) {
-                Ok(reply) => {
-                    self.own = Some(reply.0.own);
-                    return Ok((reply, self));
-                }
+                Ok((Reply { answer: Answer::Ready(own), .. }, _)) => self.own = Some(own),
+                Ok(reply) => return Ok((reply, self)),
                 Err(RecvTimeoutError::Timeout) if self.goes_on(limits) && Instant::now() < end => {}
                 Err(e) => {
                     let late = e == RecvTimeoutError::Timeout && Instant::now() >= end;
@@ -192,7 +190,6 @@ impl Running {
     /// Whether the process lives and has not taken too much memory.
     fn goes_on(&mut self, limits: &Limits) -> bool {
         self.peak = self.peak.max(address_space(self.child.id()).unwrap_or(0));
-        // Until its own share is known, the system's limit has to do.
         let within = self.own.is_none_or(|own| self.peak.saturating_sub(own) <= limits.bytes());
         within && !has_ended(&mut self.child)
     }

@@ -31,6 +31,8 @@ pub enum Request {
 /// What it answers.
 #[derive(Serialize, Deserialize)]
 pub enum Answer {
+    /// Said once and unasked, before the library is loaded: how much address space the process takes so far, bytes.
+    Ready(u64),
     /// The library's adapters and exporters.
     Described { adapters: Vec<PluginInfo>, exporters: Vec<PluginInfo> },
     /// The library cannot be used, for this reason.
@@ -52,8 +54,6 @@ pub enum Answer {
 pub struct Reply {
     pub answer: Answer,
     pub logged: Vec<Log>,
-    /// How much address space the process took before it loaded the plugin, bytes.
-    pub own: u64,
 }
 
 /// A path, which need not be UTF-8.

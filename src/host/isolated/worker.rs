@@ -25,6 +25,7 @@ type Call = (Request, Vec<u8>);
 pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
     let mut out = own_output()?;
     let own = limit_memory(memory)?;
+    wire::send(&mut out, &Reply { answer: Answer::Ready(own), logged: vec![] }, &[])?;
     let calls = listen(memory.saturating_mul(1 << 20));
     // Not before somebody listens: it may never come back.
     let plugin = library::load(library);
@@ -33,7 +34,7 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
             Ok(plugin) => answer(plugin, request, block),
             Err(reason) => (Answer::Unusable(reason.clone()), vec![]),
         };
-        wire::send(&mut out, &Reply { answer, logged: logged(), own }, &block)?;
+        wire::send(&mut out, &Reply { answer, logged: logged() }, &block)?;
     }
     Ok(())
 }
