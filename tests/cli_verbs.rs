@@ -92,6 +92,17 @@ fn plugins_are_listed_with_their_options() {
 }
 
 #[test]
+fn schemas_are_those_that_are_published() {
+    let published = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("schemas");
+    for what in ["layout", "scene", "options"] {
+        let (printed, _) = Workshop::empty().does(&format!("plugins schema {what}"));
+        let file = std::fs::read_to_string(published.join(format!("{what}.schema.json"))).unwrap();
+        let [printed, file] = [&printed, &file].map(|text| serde_json::from_str::<Value>(text).unwrap());
+        assert_eq!(printed, file);
+    }
+}
+
+#[test]
 fn completions_for_every_shell() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let (script, _) = Workshop::empty().does(&format!("completions {shell}"));

@@ -144,7 +144,7 @@ fn what_is_no_library_of_plugins() {
     let w = workshop("exit", "never", &[]);
     let (whole, read) = (w.read("p/exit.so"), reading("exit"));
     w.write("p/exit.so", "hello");
-    fails(&w, &read, &["`p/exit.so` is not used: it cannot be loaded: "]);
+    fails(&w, &read, &["`p/exit.so` is not used: it is no shared library of this system"]);
     w.write("p/exit.so", &whole[..whole.len() / 2]);
     fails(&w, &read, &["`p/exit.so` is not used: it "]);
     w.write("empty.c", "int nothing;\n");
@@ -196,8 +196,10 @@ fn hang(w: &Workshop) -> std::process::Child {
 
 #[test]
 fn nothing_outlives_the_program() {
-    for signal in ["KILL", "INT", "TERM"] {
-        let w = workshop("loop", "read", &[]);
+    for (signal, when) in
+        [("KILL", "read"), ("INT", "read"), ("TERM", "read"), ("KILL", "load"), ("INT", "load")]
+    {
+        let w = workshop("loop", when, &[]);
         let mut child = hang(&w);
         let killed =
             Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status().unwrap();
@@ -205,6 +207,22 @@ fn nothing_outlives_the_program() {
         assert_gone(&w.path("p"));
         assert_eq!(w.files().len(), 4, "{:?}", w.files());
     }
+}
+
+#[test]
+fn what_a_plugin_said_last_is_told_when_it_crashes() {
+    let w = workshop("complain", "read", &[]);
+    fails(&w, &reading("complain"), &["it crashed (abort), after saying `bad.c: this cannot be`"]);
+}
+
+#[test]
+fn libraries_of_other_systems() {
+    let w = workshop("exit", "never", &[]);
+    let mut library = w.read("p/exit.so");
+    // The machine of an ELF file, here that of a PDP-11.
+    library[18] = 65;
+    w.write("p/exit.so", &library);
+    fails(&w, &reading("exit"), &["`p/exit.so` is not used: it was built for another kind of machine"]);
 }
 
 #[test]

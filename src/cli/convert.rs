@@ -97,9 +97,19 @@ fn read(opened: &Opened<'_>, options: &Options, voice: Voice) -> Result<Scene, F
     tell_messages(voice);
     let scene = scene?;
     if voice != Voice::Quiet {
-        scene.warnings.iter().for_each(|w| say(&format!("warning: {}: {w}", opened.shown())));
+        tell_warnings(&opened.shown(), &scene.warnings);
     }
     Ok(scene)
+}
+
+/// The most warnings of one document that are told.
+const MOST_WARNINGS: usize = 20;
+
+fn tell_warnings(document: &str, warnings: &[String]) {
+    warnings.iter().take(MOST_WARNINGS).for_each(|w| say(&format!("warning: {document}: {w}")));
+    if let more @ 1.. = warnings.len().saturating_sub(MOST_WARNINGS) {
+        say(&format!("warning: {document}: and {more} more warnings"));
+    }
 }
 
 /// A document that has been read.

@@ -1,6 +1,7 @@
 //! How a verb fails: one sentence on standard error, and an exit status.
 
 use planform_sdk::{ErrorKind, PluginError};
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::panic;
@@ -58,12 +59,23 @@ pub fn shown(path: &Path) -> String {
 /// Prints a line on standard error. What a document says must not steer the terminal, so control characters are
 /// written out.
 pub fn say(line: &str) {
-    let safe: String = line
+    let safe: String = cut(line)
         .chars()
         .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
         .collect();
     // Nobody is left to be told when standard error is closed.
     let _ = writeln!(io::stderr(), "{safe}");
+}
+
+/// The longest line that is printed on standard error, characters: a document can make a message as long as itself.
+const LONGEST: usize = 2000;
+
+/// The line up to that length.
+fn cut(line: &str) -> Cow<'_, str> {
+    match line.char_indices().nth(LONGEST) {
+        None => line.into(),
+        Some((end, _)) => format!("{}... ({} more bytes)", &line[..end], line.len() - end).into(),
+    }
 }
 
 /// Prints on standard output.
@@ -117,6 +129,13 @@ mod tests {
             sentence.contains("failure.rs") && sentence.contains("`planform convert map.yaml`"),
             "{sentence}"
         );
+    }
+
+    #[test]
+    fn long_lines_are_cut() {
+        assert_eq!(cut(&"ä".repeat(LONGEST)).chars().count(), LONGEST);
+        let long = cut(&"ä".repeat(LONGEST + 3)).into_owned();
+        assert!(long.ends_with("ä... (6 more bytes)"), "{long}");
     }
 
     #[test]

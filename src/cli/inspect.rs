@@ -7,7 +7,7 @@ use super::{Failure, failure::print};
 use crate::host::Claim;
 use crate::reconstruct::Contour;
 use clap::Args;
-use planform_sdk::{Grid, Pose, Scene};
+use planform_sdk::{GeoAnchor, Grid, Pose, Scene};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -26,12 +26,15 @@ pub struct InspectArgs {
     /// Print as JSON
     #[arg(long)]
     json: bool,
+    /// Show what plugins from outside print
+    #[arg(short, long)]
+    verbose: bool,
     #[command(flatten)]
     outside: OutsideArgs,
 }
 
 pub fn run(args: &InspectArgs) -> Result<(), Failure> {
-    let registry = args.outside.registry(false)?;
+    let registry = args.outside.registry(args.verbose)?;
     let opened = Opened::open(&args.input, &registry)?;
     let options = opened.options(&args.input.settings(), &[])?;
     tell_refusals(&registry, Voice::Normal);
@@ -57,6 +60,7 @@ struct Report {
     shares: Shares,
     texts: usize,
     symbols: usize,
+    anchor: Option<GeoAnchor>,
     warnings: Vec<String>,
 }
 
@@ -109,6 +113,7 @@ impl Report {
             shares: Shares::of(grid),
             texts: scene.texts.len(),
             symbols: scene.symbols.len(),
+            anchor: scene.anchor,
             warnings: scene.warnings.clone(),
         }
     }
@@ -148,6 +153,19 @@ impl Report {
             ("unknown", shares.unknown, String::from("not seen")),
         ] {
             let _ = writeln!(t, "  {name:<10}{:>6.1} %  ({meaning})", share * 100.0);
+        }
+        for (name, count) in [("texts", self.texts), ("symbols", self.symbols)] {
+            if count > 0 {
+                let _ = writeln!(t, "  {name:<12}{count}");
+            }
+        }
+        if let Some(GeoAnchor { latitude, longitude, bearing, at }) = self.anchor {
+            let _ = writeln!(
+                t,
+                "  anchor      latitude {latitude}, longitude {longitude} at x {} m, y {} m; the y axis points to {bearing} degrees",
+                rounded(at.x),
+                rounded(at.y)
+            );
         }
         for warning in &self.warnings {
             let _ = writeln!(t, "  warning     {warning}");

@@ -27,7 +27,7 @@ pub struct OutsideArgs {
 #[derive(Args)]
 #[command(next_help_heading = "Plugins from outside")]
 pub struct LimitArgs {
-    /// The longest that a plugin may take for one document
+    /// The longest that a plugin may take for one document, in whole seconds
     #[arg(long, value_name = "SECONDS", default_value_t = Limits::TIME, value_parser = value_parser!(u64).range(1..=MAX_TIME))]
     plugin_timeout: u64,
     /// The most memory that a plugin may take

@@ -56,15 +56,20 @@ impl Registry {
     }
 
     fn unclaimed(&self) -> PluginError {
+        let error = PluginError::new(ErrorKind::Unsupported, "is no kind of document that planform knows");
+        let refused = self.refused();
+        // What the user installed says more than a list of formats.
+        if let Some(refused) = refused.strip_prefix("; ") {
+            return error.advise(refused);
+        }
         let known: Vec<_> = self.adapters().flat_map(|(a, _)| a.info().extensions.iter().cloned()).collect();
-        let known = known.join(", ");
-        PluginError::new(ErrorKind::Unsupported, "is no kind of document that planform knows")
-            .advise(format!("it reads {known}; `--from` names the adapter to try anyway{}", self.refused()))
+        error.advise(format!("it reads {}; `--from` names the adapter to try anyway", known.join(", ")))
     }
 
     /// What might have helped and is not used, or failed when it was asked, as the end of a sentence.
     pub fn refused(&self) -> String {
-        let refused = self.refusals().iter().map(|refusal| format!("; {refusal}"));
+        let refused =
+            self.refusals().iter().chain(&self.outside().shadowed).map(|refusal| format!("; {refusal}"));
         let warnings = messages().into_iter().filter(|(_, (warning, _))| *warning);
         refused
             .chain(warnings.map(|(plugin, (_, message))| format!("; plugin `{plugin}`: {message}")))

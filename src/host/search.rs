@@ -49,8 +49,10 @@ pub fn libraries_in(folders: &[PathBuf]) -> Vec<PathBuf> {
 /// The libraries in a folder, by name. A folder that is not there has none.
 fn libraries(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut libraries: Vec<_> =
-        entries.map(|e| e.path()).filter(|p| p.extension().is_some_and(|e| e == DLL_EXTENSION)).collect();
+    let mut libraries: Vec<_> = entries
+        .map(|e| e.path())
+        .filter(|p| p.extension().is_some_and(|e| e == DLL_EXTENSION) && p.is_file())
+        .collect();
     libraries.sort();
     libraries
 }

@@ -26,7 +26,7 @@ fn fault(part: &Path, library: &Path) -> Option<String> {
     }
     let what = if metadata.is_dir() { "the folder" } else { "the file" };
     Some(format!(
-        "{what} `{shown}` can be written by everybody, so anybody may have put it there; `chmod o-w` mends that",
+        "{what} `{shown}` can be written by everybody, so anybody may have put it there; `chmod o-w` mends that, or another place does",
         shown = part.display()
     ))
 }

@@ -49,10 +49,14 @@ use thiserror::Error;
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ReconstructError {
     /// Nothing to lay rooms out in.
-    #[error("the map shows no free space, so there is no room to find; check the thresholds and `negate`")]
+    #[error(
+        "the map shows no free space, so there is no room to find; `planform inspect` tells which cells are taken for what"
+    )]
     NoFreeSpace,
     /// Nothing that bounds a room.
-    #[error("the map shows no walls, so there is no room to find; check the thresholds and `negate`")]
+    #[error(
+        "the map shows no walls, so there is no room to find; `planform inspect` tells which cells are taken for what"
+    )]
     NoWalls,
     /// A parameter has no usable value.
     #[error("parameter `{name}` cannot be {value}; {advice}")]

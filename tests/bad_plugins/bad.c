@@ -71,10 +71,14 @@ MAYBE void do_orphan(void) {
   do_segfault();
 }
 
+MAYBE void do_complain(void) {
+  fprintf(stderr, "bad.c: this cannot be\n");
+  abort();
+}
+
 /* Prints what is no answer where the answers go, and closes it. */
 MAYBE void do_chatter(void) {
   printf("hello, I am a plugin\n");
-  fflush(stdout);
   fprintf(stderr, "and I complain\n");
 }
 

@@ -143,7 +143,7 @@ typedef struct PlanformInfo {
   const char *const *extensions;
   // Media types, the preferred one first; NULL ends the list. The list itself may be NULL.
   const char *const *media_types;
-  // The options as a JSON Schema of an object, see options.schema.json; NULL for none.
+  // The options as a JSON Schema of an object, see `planform plugins schema options`; NULL for none.
   const char *options;
   // PLANFORM_THREAD_SAFE, or 0.
   uint64_t flags;
@@ -326,7 +326,7 @@ typedef struct PlanformAdapter {
   // The plugin's own; planform does not look at it.
   void *data;
   // How sure the adapter is that the document is its own, 0 (surely not) to 100. Must be quick and must accept any
-  // bytes.
+  // bytes. A negative number says that it failed, and `reason` then takes why.
   int32_t (*probe)(const struct PlanformAdapter *adapter, const struct PlanformProbe *probe);
   // Reads the document into the sink. `options` are values that fit the schema, defaults filled in.
   PlanformStatus (*read)(const struct PlanformAdapter *adapter,
@@ -339,11 +339,11 @@ typedef struct PlanformAdapter {
 typedef struct PlanformDocument {
   // sizeof(PlanformDocument), as planform was compiled.
   size_t size;
-  // The layout, see layout.schema.json.
+  // The layout, see `planform plugins schema layout`.
   const struct PlanformJson *layout;
   // The grid that it was reconstructed from, or NULL.
   const struct PlanformGrid *grid;
-  // What else the scene holds, see scene.schema.json; NULL when `grid` is.
+  // What else the scene holds, see `planform plugins schema scene`; NULL when `grid` is.
   const struct PlanformJson *scene;
 } PlanformDocument;
 

@@ -86,7 +86,14 @@ fn refuse_document(fault: &str) -> PluginError {
         .advise("give the right one as the option anchor=LAT,LON,BEARING")
 }
 
-/// What makes the anchor unusable. The poles have no north, so nothing can be turned towards it there.
+impl GeoAnchor {
+    /// What makes the anchor unusable, if anything does. The poles have no north, so nothing can be turned towards it
+    /// there.
+    pub fn fault(&self) -> Option<String> {
+        fault(self)
+    }
+}
+
 fn fault(anchor: &GeoAnchor) -> Option<String> {
     let GeoAnchor { latitude, longitude, bearing, at } = *anchor;
     if !(latitude > -90.0 && latitude < 90.0) {

@@ -160,6 +160,9 @@ fn probes_cross() {
     assert_eq!(probe(b"1234567"), Confidence::because(7, "by a b.abc"));
     assert_eq!(probe(b"").percent, 0);
     assert_eq!(probe(b"panic now"), Confidence::no());
+    let probe = Probe { path: Path::new("a b.abc"), head: b"panic" };
+    let e = plugin.adapters[0].confidence(&probe).unwrap_err();
+    assert!(e.message.starts_with("it has a bug at ") && e.message.ends_with(": told to"), "{e}");
 }
 
 #[test]

@@ -27,6 +27,9 @@ pub struct CheckArgs {
     /// A document that the library's input adapter reads; checks that damage it are left out without one
     #[arg(long, value_name = "FILE")]
     sample: Option<PathBuf>,
+    /// Show what the plugin prints, and what is tried at the time
+    #[arg(short, long)]
+    verbose: bool,
     #[command(flatten)]
     limits: outside::LimitArgs,
 }
@@ -38,11 +41,12 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     };
     let sample = args.sample.as_ref().map(open).transpose()?;
     let mut told = Ok(());
-    let findings = try_library(&args.library, sample.as_ref(), &args.limits.limits(false)?, |finding| {
-        if told.is_ok() {
-            told = print(line(finding).as_bytes());
-        }
-    });
+    let findings =
+        try_library(&args.library, sample.as_ref(), &args.limits.limits(args.verbose)?, |finding| {
+            if told.is_ok() {
+                told = print(line(finding).as_bytes());
+            }
+        });
     let findings = findings.map_err(|reason| Failure::over(&args.library, reason))?;
     told?;
     let failed = findings.iter().filter(|f| matches!(f.outcome, Outcome::Failed(_))).count();
@@ -52,11 +56,16 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A fault may quote what steers a terminal.
+fn safe(fault: &str) -> String {
+    fault.chars().flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] }).collect()
+}
+
 fn line(finding: &Finding) -> String {
     match &finding.outcome {
         Outcome::Passed => format!("ok       it {}\n", finding.title),
         Outcome::Failed(fault) => {
-            format!("FAILED   it {}\n         {}\n", finding.title, fault.escape_debug())
+            format!("FAILED   it {}\n         {}\n", finding.title, safe(fault))
         }
         Outcome::NotRun(reason) => format!("not run  it {}: {reason}\n", finding.title),
     }

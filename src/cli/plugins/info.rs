@@ -49,7 +49,7 @@ fn details(listed: Listed<'_>) -> String {
         info.extensions.join(", "),
         info.description,
         info.licence,
-        info.media_types.join(", "),
+        if info.media_types.is_empty() { "none".into() } else { info.media_types.join(", ") },
     )
 }
 

@@ -4,11 +4,12 @@ mod check;
 mod info;
 mod list;
 mod new;
+mod schema;
 
 use super::Failure;
 use crate::host::{Origin, Registry};
 use clap::{Args, Subcommand};
-use planform_sdk::{PluginInfo, schema};
+use planform_sdk::PluginInfo;
 use serde_json::{Value, json};
 
 const EXAMPLES: &str = "\
@@ -36,6 +37,7 @@ enum Verb {
     Info(info::InfoArgs),
     Check(check::CheckArgs),
     New(new::NewArgs),
+    Schema(schema::SchemaArgs),
 }
 
 pub fn run(args: &PluginsArgs) -> Result<(), Failure> {
@@ -45,6 +47,7 @@ pub fn run(args: &PluginsArgs) -> Result<(), Failure> {
         Some(Verb::Info(args)) => info::run(args),
         Some(Verb::Check(args)) => check::run(args),
         Some(Verb::New(args)) => new::run(args),
+        Some(Verb::Schema(args)) => schema::run(args),
     }
 }
 
@@ -84,6 +87,6 @@ fn one_as_json(Listed { kind, info, origin }: Listed<'_>) -> Value {
     json!({
         "name": info.name, "kind": kind, "version": info.version, "licence": info.licence,
         "description": info.description, "extensions": info.extensions, "media_types": info.media_types,
-        "options": schema::of_options(&info.options), "library": library,
+        "options": planform_sdk::schema::of_options(&info.options), "library": library,
     })
 }

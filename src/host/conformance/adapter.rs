@@ -1,10 +1,14 @@
 //! What input adapters must stand.
 
 use super::material::{self, Specimen};
-use super::{REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, on_threads};
+use super::{
+    REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, not_taken, on_threads,
+    typed,
+};
+use crate::host::Registry;
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiAdapter;
-use planform_sdk::{InputAdapter, PluginError, Probe, Scene, Source};
+use planform_sdk::{GeoAnchor, InputAdapter, PluginError, Probe, Scene, Source};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
@@ -12,7 +16,11 @@ use std::time::{Duration, Instant};
 const QUICK: Duration = Duration::from_secs(1);
 
 pub fn information(subject: &Subject<'_>) -> Result<(), String> {
-    subject.plugin.adapters.iter().try_for_each(|a| information_of(a.info()))
+    let registry = Registry::builtin();
+    subject.plugin.adapters.iter().try_for_each(|a| {
+        information_of(a.info())?;
+        not_taken(a.info(), registry.builtin_adapters().map(|b| b.info()))
+    })
 }
 
 fn extension(adapter: &AbiAdapter) -> &str {
@@ -29,7 +37,7 @@ pub fn probes_garbage(subject: &Subject<'_>) -> Result<(), String> {
             probes(adapter, &what, &source.path, &source.bytes[..source.bytes.len().min(4096)])?;
         }
         for path in material::paths(extension(adapter)) {
-            probes(adapter, &format!("the path {path:?}"), &path, b"some text\n")?;
+            probes(adapter, &shortened(&format!("the path {path:?}")), &path, b"some text\n")?;
         }
     }
     Ok(())
@@ -95,7 +103,7 @@ pub fn options(subject: &Subject<'_>) -> Result<(), String> {
     let nothing = Source { path: "plan".into(), bytes: b"x".to_vec(), byte_limit: 1000 };
     for adapter in &subject.plugin.adapters {
         for options in bad_options(&adapter.info().options) {
-            let what = shortened(&format!("the options {options:?}"));
+            let what = shortened(&format!("the options {}", typed(&options)));
             about_to_try(&what);
             let read = adapter.read(subject.sample.unwrap_or(&nothing), &options);
             read.map_or_else(|e| decent(&what, &e), |_| Ok(()))?;
@@ -113,7 +121,11 @@ pub fn shortened(text: &str) -> String {
 fn readers<'a>(subject: &Subject<'a>) -> Result<(&'a Source, Vec<&'a AbiAdapter>), String> {
     let sample = sample(subject)?;
     let probe = Probe { path: &sample.path, head: &sample.bytes[..sample.bytes.len().min(4096)] };
-    let readers: Vec<_> = subject.plugin.adapters.iter().filter(|a| a.probe(&probe).percent > 0).collect();
+    let mut readers = vec![];
+    for adapter in &subject.plugin.adapters {
+        let confidence = adapter.confidence(&probe).map_err(|e| format!("the sample: {}", e.message))?;
+        readers.extend((confidence.percent > 0).then_some(adapter));
+    }
     if readers.is_empty() {
         return Err("it does not recognise the sample: its probe answers 0".into());
     }
@@ -122,9 +134,23 @@ fn readers<'a>(subject: &Subject<'a>) -> Result<(&'a Source, Vec<&'a AbiAdapter>
 
 pub fn reads_sample(subject: &Subject<'_>) -> Result<(), String> {
     let (sample, readers) = readers(subject)?;
-    let read =
-        |adapter: &&AbiAdapter| read(adapter, sample).map(drop).map_err(|e| format!("the sample: {e}"));
-    readers.iter().try_for_each(read)
+    readers.iter().try_for_each(|adapter| {
+        let scene = read(adapter, sample).map_err(|e| e.to_string());
+        scene.and_then(|scene| sensible(&scene)).map_err(|e| format!("the sample: {e}"))
+    })
+}
+
+/// Fails if the scene says what cannot be so.
+fn sensible(scene: &Scene) -> Result<(), String> {
+    if let Some(fault) = scene.anchor.as_ref().and_then(GeoAnchor::fault) {
+        return Err(format!("its anchor is unusable: {fault}"));
+    }
+    let texts = scene.texts.iter().map(|t| ("confidence", &t.content, t.confidence));
+    let symbols = scene.symbols.iter().map(|s| ("score", &s.kind, s.score));
+    let odd = texts.chain(symbols).find(|(_, _, share)| !(0.0..=1.0).contains(share));
+    odd.map_or(Ok(()), |(what, of, share)| {
+        Err(shortened(&format!("the {what} {share} is not within 0 to 1, of `{of}`")))
+    })
 }
 
 pub fn gives_up(subject: &Subject<'_>) -> Result<(), String> {

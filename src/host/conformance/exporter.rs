@@ -2,15 +2,29 @@
 
 use super::adapter::shortened;
 use super::{
-    REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, material, on_threads,
+    REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, material, not_taken,
+    on_threads, typed,
 };
+use crate::host::Registry;
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiExporter;
 use planform_sdk::{Document, Exporter, Layout, PluginError, Scene};
 use std::io::{self, Write};
 
 pub fn information(subject: &Subject<'_>) -> Result<(), String> {
-    subject.plugin.exporters.iter().try_for_each(|e| information_of(e.info()))
+    let registry = Registry::builtin();
+    subject.plugin.exporters.iter().try_for_each(|e| {
+        information_of(e.info())?;
+        not_taken(e.info(), registry.builtin_exporters().map(|b| b.info()))?;
+        let taken =
+            |b: &&dyn Exporter| e.info().extensions.first().is_some_and(|x| b.info().extensions.contains(x));
+        registry.builtin_exporters().find(taken).map_or(Ok(()), |b| {
+            let (name, by) = (&e.info().name, &b.info().name);
+            Err(format!(
+                "the files of `{name}` have the extension of the built-in `{by}`, which writes them instead"
+            ))
+        })
+    })
 }
 
 fn write(exporter: &AbiExporter, layout: &Layout, scene: Option<&Scene>) -> Result<Vec<u8>, PluginError> {
@@ -54,7 +68,7 @@ pub fn options(subject: &Subject<'_>) -> Result<(), String> {
     let layout = material::plain_layout();
     for exporter in &subject.plugin.exporters {
         for options in bad_options(&exporter.info().options) {
-            let what = shortened(&format!("the options {options:?}"));
+            let what = shortened(&format!("the options {}", typed(&options)));
             about_to_try(&what);
             let written = exporter.write(&Document { layout: &layout, scene: None }, &options, &mut vec![]);
             written.map_or_else(|e| decent(&what, &e), |()| Ok(()))?;

@@ -129,11 +129,11 @@ pub fn run(number: usize, subject: &Subject<'_>) -> Result<(), String> {
 }
 
 /// What comes before the words by which a check says on standard error what it is about to try.
-const AT: &str = "trying: ";
+pub const AT: &str = "trying: ";
 
 /// Says what is about to be tried, for the case that the plugin does not survive it.
 fn about_to_try(what: &str) {
-    eprintln!("{AT}{}", what.escape_debug());
+    eprintln!("{AT}{}", what.replace('\n', " "));
 }
 
 /// Fails if there is nothing, or nothing usable, where a plugin says something of itself.
@@ -155,6 +155,25 @@ fn information_of(info: &PluginInfo) -> Result<(), String> {
     silent.map_or(Ok(()), |o| Err(format!("option `{}` of `{}` has no description", o.name, info.name)))
 }
 
+/// Fails if a built-in plugin has the name.
+fn not_taken<'a>(
+    info: &PluginInfo,
+    mut built_in: impl Iterator<Item = &'a PluginInfo>,
+) -> Result<(), String> {
+    match built_in.find(|b| b.name == info.name) {
+        Some(_) => {
+            Err(format!("`{}` is the name of a built-in plugin, which is used in its place", info.name))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Options as a user would type them.
+fn typed(options: &Options) -> String {
+    let options: Vec<_> = options.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    if options.is_empty() { "(none)".into() } else { options.join(" ") }
+}
+
 /// Fails if an error is the plugin's own fault, or says nothing.
 fn decent(what: &str, error: &PluginError) -> Result<(), String> {
     if error.kind == ErrorKind::Plugin {
@@ -163,8 +182,16 @@ fn decent(what: &str, error: &PluginError) -> Result<(), String> {
     if error.message.trim().is_empty() || error.message.contains("did not say why") {
         return Err(format!("{what}: it fails without a message"));
     }
+    if error.message.chars().count() > LONGEST_MESSAGE {
+        return Err(format!(
+            "{what}: its message has more than {LONGEST_MESSAGE} characters; cut what it quotes"
+        ));
+    }
     Ok(())
 }
+
+/// The longest decent message, characters.
+const LONGEST_MESSAGE: usize = 1000;
 
 /// How often, and on how many threads at once, the same is read or written.
 const REPEATS: usize = 20;
@@ -192,7 +219,7 @@ fn bad_options(specs: &[OptionSpec]) -> Vec<Options> {
         OptionValue::Number(0.0),
         OptionValue::Flag(true),
         OptionValue::Text(String::new()),
-        OptionValue::Text("\u{0}\u{1f6aa}%n%s".repeat(1000)),
+        OptionValue::Text("\u{0}\u{1f6aa}%n%s".repeat(20)),
     ];
     let names = specs.iter().map(|s| s.name.clone()).chain(["no-such-option".into(), String::new()]);
     let with = |name: String, value: &OptionValue| {

@@ -1,7 +1,11 @@
 //! Why a plugin's process ended, in words.
 
 use super::Limits;
+use crate::host::conformance;
 use std::process::ExitStatus;
+
+/// How much is quoted of what a process said last, characters.
+const LONGEST_LINE: usize = 200;
 
 /// What is known of a process that ended, or was ended, before it answered.
 pub struct Death {
@@ -33,7 +37,15 @@ impl Death {
             let advice = "`--plugin-timeout SECONDS` allows more".into();
             return (format!("it took longer than the {seconds} s that it may"), Some(advice));
         }
-        (self.status.map_or_else(|| "it broke off its talk with planform".into(), ended), None)
+        let end = self.status.map_or_else(|| "it broke off its talk with planform".into(), ended);
+        (self.last_line().map_or_else(|| end.clone(), |line| format!("{end}, after saying `{line}`")), None)
+    }
+
+    /// The last that it said on its own.
+    fn last_line(&self) -> Option<String> {
+        let own = |line: &&str| !line.trim().is_empty() && !line.starts_with(conformance::AT);
+        let line = self.last_words.lines().rfind(own)?;
+        Some(line.trim().chars().take(LONGEST_LINE).collect())
     }
 
     fn was_out_of_memory(&self, limits: &Limits) -> bool {
@@ -96,6 +108,8 @@ mod tests {
         assert_eq!(told(11, "", 0, false), "it crashed (segmentation fault)");
         assert_eq!(told(11, "", 95 << 20, false), "it took more than the 100 MiB of memory that it may");
         assert_eq!(told(6, "memory allocation of 5 bytes failed", 0, false), told(11, "", 95 << 20, false));
+        assert_eq!(told(6, "a.c:3: no!\n\n", 0, false), "it crashed (abort), after saying `a.c:3: no!`");
+        assert_eq!(told(6, "trying: an empty document\n", 0, false), "it crashed (abort)");
         assert_eq!(told(9, "", 0, true), "it took longer than the 2 s that it may");
         assert_eq!(told(3 << 8, "", 0, false), "it ended its process with the status 3");
         assert!(told(6, "\nthread 'main' has overflowed its stack\n", 0, false).contains("ran out of stack"));

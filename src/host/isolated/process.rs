@@ -22,6 +22,9 @@ const LOOK: Duration = Duration::from_millis(10);
 /// How much of what a process printed last is kept, bytes.
 const LAST_WORDS: usize = 4096;
 
+/// The longest that a library may take to be loaded and to say what is in it: nobody has asked for it yet.
+const LOADING: Duration = Duration::from_secs(10);
+
 /// How long to wait for what a process printed before it ended.
 const LAST_WAIT: Duration = Duration::from_millis(200);
 
@@ -54,7 +57,8 @@ impl Process {
 
     /// The adapters and exporters of the library; or why it has none, in words that follow the library's name.
     pub fn describe(self: &Arc<Self>) -> Result<(Vec<Remote>, Vec<Remote>), String> {
-        match self.ask(Request::Describe, vec![]) {
+        let time = self.limits.time.min(LOADING);
+        match self.ask_within(Request::Describe, vec![], time) {
             Ok((Answer::Described { adapters, exporters }, _)) => {
                 let remotes = |infos: Vec<PluginInfo>| {
                     let remote = |(number, info)| Remote { process: Arc::clone(self), number, info };
@@ -86,17 +90,27 @@ impl Process {
 
     /// Asks the process, which is started if it does not run.
     fn ask(&self, request: Request, block: Vec<u8>) -> Result<(Answer, Vec<u8>), PluginError> {
+        self.ask_within(request, block, self.limits.time)
+    }
+
+    fn ask_within(
+        &self,
+        request: Request,
+        block: Vec<u8>,
+        time: Duration,
+    ) -> Result<(Answer, Vec<u8>), PluginError> {
+        let limits = Limits { time, ..self.limits.clone() };
         let mut running = self.running.lock().unwrap_or_else(PoisonError::into_inner);
         let started = match running.take() {
             Some(started) => started,
             None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
         };
-        let (Reply { answer, logged }, block) = match started.ask(request, block, &self.limits) {
+        let (Reply { answer, logged }, block) = match started.ask(request, block, &limits) {
             Ok((reply, started)) => {
                 *running = Some(started);
                 reply
             }
-            Err(death) => return Err(self.told(&death)),
+            Err(death) => return Err(self.told(&death, &limits)),
         };
         logged.into_iter().for_each(note);
         match answer {
@@ -105,9 +119,9 @@ impl Process {
         }
     }
 
-    fn told(&self, death: &Death) -> PluginError {
+    fn told(&self, death: &Death, limits: &Limits) -> PluginError {
         self.last_words.lock().unwrap_or_else(PoisonError::into_inner).clone_from(&death.last_words);
-        let (message, advice) = death.told(&self.limits);
+        let (message, advice) = death.told(limits);
         let advice = advice.unwrap_or_else(|| "tell its maker".into());
         PluginError::new(ErrorKind::Plugin, message).advise(advice)
     }

@@ -9,7 +9,7 @@ use planform_sdk::{
 };
 use std::io;
 use std::path::Path;
-use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 
 /// How much more memory than it may a plugin can take before the system refuses it, MiB: the program sees it pass the
@@ -34,6 +34,7 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
             Ok(plugin) => answer(plugin, request, block),
             Err(reason) => (Answer::Unusable(reason.clone()), vec![]),
         };
+        library::flush_output();
         wire::send(&mut out, &Reply { answer, logged: logged() }, &block)?;
     }
     Ok(())
@@ -77,7 +78,8 @@ fn limit_memory(_: u64) -> io::Result<u64> {
 
 /// Reads requests as they come. When no more can come, this process ends, whatever the plugin is doing.
 fn listen(limit: u64) -> Receiver<Call> {
-    let (calls, received) = sync_channel(0);
+    // Nothing keeps the thread from noticing the end: calls wait here, and there is only ever one.
+    let (calls, received) = channel();
     thread::spawn(move || {
         let mut input = io::stdin().lock();
         while let Ok(call) = wire::receive(&mut input, limit) {

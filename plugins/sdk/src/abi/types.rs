@@ -118,7 +118,7 @@ pub struct PlanformInfo {
     pub extensions: *const *const c_char,
     /// Media types, the preferred one first; NULL ends the list. The list itself may be NULL.
     pub media_types: *const *const c_char,
-    /// The options as a JSON Schema of an object, see options.schema.json; NULL for none.
+    /// The options as a JSON Schema of an object, see `planform plugins schema options`; NULL for none.
     pub options: *const c_char,
     /// PLANFORM_THREAD_SAFE, or 0.
     pub flags: u64,
@@ -322,11 +322,11 @@ pub struct PlanformSceneSink {
 pub struct PlanformDocument {
     /// sizeof(PlanformDocument), as planform was compiled.
     pub size: usize,
-    /// The layout, see layout.schema.json.
+    /// The layout, see `planform plugins schema layout`.
     pub layout: *const PlanformJson,
     /// The grid that it was reconstructed from, or NULL.
     pub grid: *const PlanformGrid,
-    /// What else the scene holds, see scene.schema.json; NULL when `grid` is.
+    /// What else the scene holds, see `planform plugins schema scene`; NULL when `grid` is.
     pub scene: *const PlanformJson,
 }
 
@@ -356,7 +356,7 @@ pub struct PlanformAdapter {
     /// The plugin's own; planform does not look at it.
     pub data: *mut c_void,
     /// How sure the adapter is that the document is its own, 0 (surely not) to 100. Must be quick and must accept any
-    /// bytes.
+    /// bytes. A negative number says that it failed, and `reason` then takes why.
     pub probe:
         Option<unsafe extern "C" fn(adapter: *const PlanformAdapter, probe: *const PlanformProbe) -> i32>,
     /// Reads the document into the sink. `options` are values that fit the schema, defaults filled in.

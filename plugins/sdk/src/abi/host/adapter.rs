@@ -15,7 +15,7 @@ use crate::abi::{
 use crate::{Confidence, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, Scene, Source};
 use std::cell::RefCell;
 use std::ffi::c_void;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// An input adapter by its table.
 pub struct AbiAdapter {
@@ -24,7 +24,7 @@ pub struct AbiAdapter {
     table: PlanformAdapter,
     info: PluginInfo,
     /// Held during calls of a library that does not claim to be safe with threads.
-    lock: Option<&'static Mutex<()>>,
+    lock: Option<Arc<Mutex<()>>>,
 }
 
 // SAFETY: the table is valid for ever and constant; calls are made one at a time unless the plugin claims that they
@@ -41,7 +41,7 @@ impl AbiAdapter {
     /// `address` is NULL or that of an adapter's table of a library that keeps to the ABI and is never unloaded.
     pub(super) unsafe fn new(
         address: *const PlanformAdapter,
-        lock: &'static Mutex<()>,
+        lock: &Arc<Mutex<()>>,
     ) -> Result<Self, LoadError> {
         // SAFETY: as the caller promises.
         let table = unsafe { look(address) }?;
@@ -52,7 +52,7 @@ impl AbiAdapter {
                 return Err(LoadError::NoFunction { name: info.name, function });
             }
         }
-        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
+        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then(|| Arc::clone(lock)) })
     }
 
     /// Whether it claims that it may be called from several threads at once.
@@ -60,8 +60,8 @@ impl AbiAdapter {
         self.lock.is_none()
     }
 
-    fn locked(&self) -> Option<MutexGuard<'static, ()>> {
-        self.lock.map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner))
+    fn locked(&self) -> Option<MutexGuard<'_, ()>> {
+        self.lock.as_ref().map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
 
@@ -132,6 +132,8 @@ impl AbiAdapter {
         let answer = unsafe { probe(self.address, &crossing) };
         match u8::try_from(answer) {
             Ok(percent) if percent <= 100 => Ok(Confidence { percent, reason: said.into_inner() }),
+            // It failed, and said why in place of what it judged by.
+            _ if answer < 0 && !said.borrow().is_empty() => Err(of_plugin(&said.into_inner())),
             _ => Err(of_plugin(&format!("its probe answers {answer}, which is not within 0 to 100"))),
         }
     }

@@ -15,7 +15,7 @@ use std::ffi::c_void;
 use std::io::Write;
 use std::ptr;
 use std::slice;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// An exporter by its table.
 pub struct AbiExporter {
@@ -24,7 +24,7 @@ pub struct AbiExporter {
     table: PlanformExporter,
     info: PluginInfo,
     /// Held during calls of a library that does not claim to be safe with threads.
-    lock: Option<&'static Mutex<()>>,
+    lock: Option<Arc<Mutex<()>>>,
 }
 
 // SAFETY: the table is valid for ever and constant; calls are made one at a time unless the plugin claims that they
@@ -41,7 +41,7 @@ impl AbiExporter {
     /// `address` is NULL or that of an exporter's table of a library that keeps to the ABI and is never unloaded.
     pub(super) unsafe fn new(
         address: *const PlanformExporter,
-        lock: &'static Mutex<()>,
+        lock: &Arc<Mutex<()>>,
     ) -> Result<Self, LoadError> {
         // SAFETY: as the caller promises.
         let table = unsafe { look(address) }?;
@@ -50,7 +50,7 @@ impl AbiExporter {
         if table.write.is_none() {
             return Err(LoadError::NoFunction { name: info.name, function: "write" });
         }
-        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then_some(lock) })
+        Ok(Self { address, table, info, lock: (flags & PLANFORM_THREAD_SAFE == 0).then(|| Arc::clone(lock)) })
     }
 
     /// Whether it claims that it may be called from several threads at once.
@@ -99,7 +99,7 @@ impl AbiExporter {
             write,
             fail,
         };
-        let _locked = self.lock.map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner));
+        let _locked = self.lock.as_ref().map(|lock| lock.lock().unwrap_or_else(PoisonError::into_inner));
         let Some(write) = self.table.write else { return Err(of_plugin("it has no function `write`")) };
         // SAFETY: the table is valid, and everything that is handed over lives until the call returns.
         let status = unsafe { write(self.address, &crossing, &options.as_table(), &output) };

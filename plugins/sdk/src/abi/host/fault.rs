@@ -64,7 +64,7 @@ impl Fault {
 }
 
 fn silent(status: PlanformStatus) -> PluginError {
-    PluginError::new(kind_of(status), format!("the plugin gave up with status {status} and did not say why"))
+    of_plugin(&format!("it gave up with status {status} and did not say why (by `fail`)"))
 }
 
 /// How a plugin takes it that something goes wrong.
@@ -95,7 +95,9 @@ unsafe fn error_of(problem: *const PlanformProblem) -> Result<PluginError, crate
         PLANFORM_BYTE => Some(Place::Byte(problem.position)),
         _ => None,
     };
-    let message = if message.is_empty() { "the plugin gave up and did not say why".into() } else { message };
+    if message.trim().is_empty() {
+        return Ok(silent(problem.status));
+    }
     let advice = Some(advice).filter(|a| !a.is_empty());
     Ok(PluginError { kind: kind_of(problem.status), message, place, advice })
 }

@@ -18,7 +18,7 @@ pub use value::{Log, host_table, logged, note};
 use super::table::{TableError, look};
 use super::{PLANFORM_ABI_MAJOR, PlanformAdapter, PlanformEntry, PlanformExporter, PlanformPlugin};
 use std::mem::offset_of;
-use std::sync::Mutex;
+use std::sync::{Arc, Mutex};
 use thiserror::Error;
 
 /// The most adapters or exporters in one library, extensions or media types of one of them: what is longer has no end.
@@ -33,6 +33,9 @@ pub enum LoadError {
     /// The entry function returned NULL.
     #[error("it refuses to work with this planform")]
     Refused,
+    /// The entry function returned NULL, and logged why.
+    #[error("{0}")]
+    RefusedBecause(String),
     /// It was made for another major version of the ABI.
     #[error(
         "it was made for version {found} of the plugin interface, and this planform has version {PLANFORM_ABI_MAJOR}; get the plugin for this version, or build it again"
@@ -76,7 +79,11 @@ impl Plugin {
     /// `entry` is the entry function of a library that keeps to the ABI and is never unloaded.
     pub unsafe fn ask(entry: PlanformEntry) -> Result<Self, LoadError> {
         // SAFETY: the host's table is valid for ever, and the tables returned are too, as the caller promises.
-        unsafe { Self::of_tables(entry(host_table())) }
+        let plugin = unsafe { Self::of_tables(entry(host_table())) };
+        plugin.map_err(|e| match (e, logged().pop()) {
+            (LoadError::Refused, Some((_, reason))) => LoadError::RefusedBecause(reason),
+            (e, _) => e,
+        })
     }
 
     /// Checks a library's tables.
@@ -95,7 +102,7 @@ impl Plugin {
         }
         // SAFETY: as above; one lock for the whole library, whose parts may share what they work with.
         unsafe {
-            let lock: &'static Mutex<()> = Box::leak(Box::default());
+            let lock: &Arc<Mutex<()>> = &Arc::default();
             let adapters = adapters.into_iter().map(|a: *const PlanformAdapter| AbiAdapter::new(a, lock));
             let exporters = exporters.into_iter().map(|e: *const PlanformExporter| AbiExporter::new(e, lock));
             Ok(Self {

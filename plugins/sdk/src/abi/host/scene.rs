@@ -149,8 +149,11 @@ unsafe extern "C" fn grid(context: *mut c_void, grid: *const PlanformGrid) -> Pl
 unsafe fn grid_of(grid: &PlanformGrid) -> Result<Grid, PluginError> {
     let unusable = |e: &crate::GridError| PluginError::new(ErrorKind::Limit, e.to_string());
     let expected = Grid::check_size(grid.width, grid.height).map_err(|e| unusable(&e))?;
-    if grid.cells.is_null() || grid.cell_count != expected {
-        let found = if grid.cells.is_null() { 0 } else { grid.cell_count };
+    if grid.cells.is_null() {
+        return Err(of_plugin("its grid has no cells (a null pointer)"));
+    }
+    if grid.cell_count != expected {
+        let found = grid.cell_count;
         return Err(of_plugin(&format!("its grid has {found} cells where width times height is {expected}")));
     }
     // SAFETY: not NULL, and as many as the caller promises.

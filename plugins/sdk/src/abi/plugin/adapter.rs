@@ -33,7 +33,14 @@ unsafe fn adapter_of<'a>(adapter: *const PlanformAdapter) -> &'a dyn InputAdapte
 
 unsafe extern "C" fn probe(adapter: *const PlanformAdapter, probe: *const PlanformProbe) -> i32 {
     // SAFETY: the host hands over the table that it was given, and a probe of its own.
-    guard(|| unsafe { probe_with(adapter_of(adapter), probe) }).unwrap_or(-PLANFORM_PLUGIN_FAULT)
+    guard(|| unsafe { probe_with(adapter_of(adapter), probe) }).unwrap_or_else(|panic| {
+        // SAFETY: as above.
+        if let Ok(probe) = unsafe { look(probe) } {
+            // SAFETY: the callback is called with its own context, and the text lives until it returns.
+            unsafe { (probe.reason)(probe.context, PlanformString::of(panic.as_bytes())) };
+        }
+        -PLANFORM_PLUGIN_FAULT
+    })
 }
 
 /// # Safety

@@ -12,7 +12,10 @@ mod received;
 #[cfg(feature = "host")]
 pub(super) use problem::of_host;
 
-use super::{PLANFORM_ABI_MAJOR, PLANFORM_ABI_MINOR, PlanformHost, PlanformPlugin, guard, table::look};
+use super::{
+    PLANFORM_ABI_MAJOR, PLANFORM_ABI_MINOR, PLANFORM_LOG_WARNING, PlanformHost, PlanformPlugin,
+    PlanformString, guard, table::look,
+};
 use crate::{Exporter, InputAdapter};
 use std::ptr;
 use std::sync::OnceLock;
@@ -61,11 +64,15 @@ pub unsafe fn entry(
 ) -> *const PlanformPlugin {
     guard::note_panics();
     // SAFETY: as the caller promises.
-    let fits = unsafe { look(host) }.is_ok_and(|host| host.abi_major == PLANFORM_ABI_MAJOR);
-    if !fits {
+    let Ok(host) = (unsafe { look(host) }) else { return ptr::null() };
+    if host.abi_major != PLANFORM_ABI_MAJOR {
         return ptr::null();
     }
-    guard::guard(|| tables.get_or_init(make).as_ptr()).unwrap_or(ptr::null())
+    guard::guard(|| tables.get_or_init(make).as_ptr()).unwrap_or_else(|panic| {
+        // SAFETY: the host's own function, and the text lives until it returns.
+        unsafe { (host.log)(PLANFORM_LOG_WARNING, PlanformString::of(panic.as_bytes())) };
+        ptr::null()
+    })
 }
 
 /// Exports a library of plugins: the one line that a crate of crate-type `cdylib` needs.
