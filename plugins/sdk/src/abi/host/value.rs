@@ -68,67 +68,88 @@ unsafe fn content<'a>(value: *const PlanformValue) -> &'a Content {
 }
 
 unsafe extern "C" fn kind(value: *const PlanformValue) -> u32 {
-    // SAFETY: the plugin hands back a value that it was given, during the call.
-    match unsafe { content(value) } {
-        Content::Nothing => PLANFORM_NOTHING,
-        Content::Flag(_) => PLANFORM_FLAG,
-        Content::Number(_) => PLANFORM_NUMBER,
-        Content::Text(_) => PLANFORM_TEXT,
-        Content::Array(_) => PLANFORM_ARRAY,
-        Content::Object(_) => PLANFORM_OBJECT,
-    }
+    guard(|| {
+        // SAFETY: the plugin hands back a value that it was given, during the call.
+        match unsafe { content(value) } {
+            Content::Nothing => PLANFORM_NOTHING,
+            Content::Flag(_) => PLANFORM_FLAG,
+            Content::Number(_) => PLANFORM_NUMBER,
+            Content::Text(_) => PLANFORM_TEXT,
+            Content::Array(_) => PLANFORM_ARRAY,
+            Content::Object(_) => PLANFORM_OBJECT,
+        }
+    })
+    .unwrap_or(PLANFORM_NOTHING)
 }
 
 unsafe extern "C" fn member(value: *const PlanformValue, name: *const c_char) -> *const PlanformValue {
-    // SAFETY: as above, and `name` is a C string.
-    let (content, name) = unsafe { (content(value), c_bytes(name)) };
-    match (content, name) {
-        (Content::Object(members), Some(name)) => members
-            .iter()
-            .find(|(key, _)| key.as_bytes() == name)
-            .map_or(ptr::null(), |(_, content)| content.as_ptr()),
-        _ => ptr::null(),
-    }
+    guard(|| {
+        // SAFETY: as above, and `name` is a C string.
+        let (content, name) = unsafe { (content(value), c_bytes(name)) };
+        match (content, name) {
+            (Content::Object(members), Some(name)) => members
+                .iter()
+                .find(|(key, _)| key.as_bytes() == name)
+                .map_or(ptr::null(), |(_, content)| content.as_ptr()),
+            _ => ptr::null(),
+        }
+    })
+    .unwrap_or(ptr::null())
 }
 
 unsafe extern "C" fn element(value: *const PlanformValue, index: usize) -> *const PlanformValue {
-    // SAFETY: as above.
-    match unsafe { content(value) } {
-        Content::Array(elements) => elements.get(index).map_or(ptr::null(), Content::as_ptr),
-        _ => ptr::null(),
-    }
+    guard(|| {
+        // SAFETY: as above.
+        match unsafe { content(value) } {
+            Content::Array(elements) => elements.get(index).map_or(ptr::null(), Content::as_ptr),
+            _ => ptr::null(),
+        }
+    })
+    .unwrap_or(ptr::null())
 }
 
 unsafe extern "C" fn length(value: *const PlanformValue) -> usize {
-    // SAFETY: as above.
-    match unsafe { content(value) } {
-        Content::Array(elements) => elements.len(),
-        _ => 0,
-    }
+    guard(|| {
+        // SAFETY: as above.
+        match unsafe { content(value) } {
+            Content::Array(elements) => elements.len(),
+            _ => 0,
+        }
+    })
+    .unwrap_or(0)
 }
 
 unsafe extern "C" fn number(value: *const PlanformValue, otherwise: f64) -> f64 {
-    // SAFETY: as above.
-    match unsafe { content(value) } {
-        Content::Number(number) => *number,
-        _ => otherwise,
-    }
+    guard(|| {
+        // SAFETY: as above.
+        match unsafe { content(value) } {
+            Content::Number(number) => *number,
+            _ => otherwise,
+        }
+    })
+    .unwrap_or(otherwise)
 }
 
 unsafe extern "C" fn flag(value: *const PlanformValue, otherwise: bool) -> bool {
-    // SAFETY: as above.
-    match unsafe { content(value) } {
-        Content::Flag(flag) => *flag,
-        _ => otherwise,
-    }
+    guard(|| {
+        // SAFETY: as above.
+        match unsafe { content(value) } {
+            Content::Flag(flag) => *flag,
+            _ => otherwise,
+        }
+    })
+    .unwrap_or(otherwise)
 }
 
 unsafe extern "C" fn text(value: *const PlanformValue) -> PlanformString {
-    // SAFETY: as above.
-    match unsafe { content(value) } {
-        Content::Text(text) => text.as_string(),
-        _ => PlanformString::NULL,
-    }
+    guard(|| {
+        // SAFETY: as above.
+        match unsafe { content(value) } {
+            Content::Text(text) => text.as_string(),
+            _ => PlanformString::NULL,
+        }
+    })
+    .unwrap_or(PlanformString::NULL)
 }
 
 /// Adds a message to those logged on this thread, such as one from another process.

@@ -65,6 +65,19 @@ unsafe extern "C" fn read(
     options: *const PlanformJson,
     sink: *const PlanformSceneSink,
 ) -> PlanformStatus {
+    // SAFETY: the host hands over the table that it was given, and the rest is its own.
+    guard(|| unsafe { read_into(adapter, source, options, sink) }).unwrap_or(PLANFORM_PLUGIN_FAULT)
+}
+
+/// # Safety
+///
+/// `adapter` is a table that [`table`] made, the others are NULL or of the host's.
+unsafe fn read_into(
+    adapter: *const PlanformAdapter,
+    source: *const PlanformSource,
+    options: *const PlanformJson,
+    sink: *const PlanformSceneSink,
+) -> PlanformStatus {
     // SAFETY: the host hands over a sink of its own.
     let Ok(sink) = (unsafe { look(sink) }) else { return PLANFORM_PLUGIN_FAULT };
     let scene = guard(|| {

@@ -31,6 +31,19 @@ unsafe extern "C" fn write(
     options: *const PlanformJson,
     output: *const PlanformOutput,
 ) -> PlanformStatus {
+    // SAFETY: the host hands over the table that it was given, and the rest is its own.
+    guard(|| unsafe { write_to(exporter, document, options, output) }).unwrap_or(PLANFORM_PLUGIN_FAULT)
+}
+
+/// # Safety
+///
+/// `exporter` is a table that [`table`] made, the others are NULL or of the host's.
+unsafe fn write_to(
+    exporter: *const PlanformExporter,
+    document: *const PlanformDocument,
+    options: *const PlanformJson,
+    output: *const PlanformOutput,
+) -> PlanformStatus {
     // SAFETY: the host hands over an output of its own.
     let Ok(output) = (unsafe { look(output) }) else { return PLANFORM_PLUGIN_FAULT };
     let mut sink = Sink { output: &output, refusal: None };
