@@ -76,6 +76,8 @@ fn a_run_that_needs_none_loads_none() {
     bad_plugin(&w.path("p"), "exit", "load", &[]);
     w.does("convert map.yaml -o out.svg -o out.dxf --plugin-dir p --trust-plugins");
     w.does("inspect map.yaml --plugin-dir p --trust-plugins");
+    w.does("convert map.yaml -o - --to svg --plugin-dir p --trust-plugins");
+    w.does("convert map.yaml -o out.drawing --to svg --from slam-grid --plugin-dir p --trust-plugins");
     let output = w.run("convert map.yaml -o out.exit --plugin-dir p --trust-plugins");
     assert_eq!(output.status.code(), Some(3));
 }

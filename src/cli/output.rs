@@ -36,13 +36,16 @@ pub fn plan<'a>(
     to: Option<&str>,
     registry: &'a Registry,
 ) -> Result<Vec<Target<'a>>, Failure> {
+    let formats: Vec<_> = paths.iter().map(|p| format(p, to, registry)).collect::<Result<_, _>>()?;
     if let Some(to) = to
-        && paths.iter().all(|p| registry.exporter_for(p).is_some())
+        && formats.iter().all(|(_, named_by)| *named_by == NamedBy::Extension)
     {
         let message = format!("--to {to} has no use: every output's extension already names its format");
         return Err(Failure::Usage(message));
     }
-    let targets: Vec<_> = paths.iter().map(|p| target(p, to, registry)).collect::<Result<_, _>>()?;
+    let target =
+        |(path, (exporter, _)): (&PathBuf, _)| Target { path: path.into(), exporter, place: Place::of(path) };
+    let targets: Vec<_> = paths.iter().zip(formats).map(target).collect();
     match targets.iter().enumerate().find(|(i, t)| targets[..*i].iter().any(|other| other.is_same_file(t))) {
         Some((_, twice)) => Err(Failure::Usage(format!("{}: is given as an output twice", twice.shown()))),
         None => Ok(targets),
@@ -52,13 +55,29 @@ pub fn plan<'a>(
 const FOLDER: &str = "is a folder; give the name of a file in it";
 const PRESENT: &str = "is there already; `--force` overwrites it";
 
-fn target<'a>(path: &Path, to: Option<&str>, registry: &'a Registry) -> Result<Target<'a>, Failure> {
-    let exporter = match (registry.exporter_for(path), to) {
-        (Some(exporter), _) => exporter,
-        (None, Some(to)) => registry.exporter(to).ok_or_else(|| no_exporter(to, registry))?,
-        (None, None) => return Err(no_format(path, registry)),
-    };
-    Ok(Target { path: path.into(), exporter, place: Place::of(path) })
+/// What named an output's format.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum NamedBy {
+    Extension,
+    To,
+}
+
+/// The format of an output: that of its extension, else `to`. Those from outside are asked only when the built-in ones
+/// do not settle it.
+fn format<'a>(
+    path: &Path,
+    to: Option<&str>,
+    registry: &'a Registry,
+) -> Result<(&'a dyn Exporter, NamedBy), Failure> {
+    let by_extension = |exporter| (exporter, NamedBy::Extension);
+    let by_to = |exporter| (exporter, NamedBy::To);
+    let built_in = registry.builtin_exporter_for(path).map(by_extension);
+    let settled = built_in.or_else(|| registry.builtin_exporter(to?).map(by_to));
+    let found = settled.or_else(|| registry.exporter_for(path).map(by_extension));
+    found.or_else(|| registry.exporter(to?).map(by_to)).ok_or_else(|| match to {
+        Some(to) => no_exporter(to, registry),
+        None => no_format(path, registry),
+    })
 }
 
 fn no_exporter(name: &str, registry: &Registry) -> Failure {

@@ -92,18 +92,33 @@ impl Registry {
         builtin.or_else(|| self.adapters().map(|(a, _)| a).find(|a| a.info().name == name))
     }
 
+    /// The built-in exporter of this name.
+    pub fn builtin_exporter(&self, name: &str) -> Option<&dyn Exporter> {
+        self.builtin_exporters().find(|e| e.info().name == name)
+    }
+
+    /// The built-in exporter that writes files with this path's extension, as [`exporter_for`](Self::exporter_for).
+    pub fn builtin_exporter_for(&self, path: &Path) -> Option<&dyn Exporter> {
+        longest(self.builtin_exporters(), &file_name(path)?)
+    }
+
     /// The exporter of this name.
     pub fn exporter(&self, name: &str) -> Option<&dyn Exporter> {
-        let builtin = self.builtin_exporters().find(|e| e.info().name == name);
-        builtin.or_else(|| self.exporters().map(|(e, _)| e).find(|e| e.info().name == name))
+        self.builtin_exporter(name)
+            .or_else(|| self.exporters().map(|(e, _)| e).find(|e| e.info().name == name))
     }
 
     /// The exporter that writes files with this path's extension, in whatever case: that with the longest extension, as
     /// `plan.layout.json` is not just any `.json`. Those from outside are asked only if no built-in one will do.
     pub fn exporter_for(&self, path: &Path) -> Option<&dyn Exporter> {
-        let name = path.file_name()?.to_string_lossy().to_lowercase();
-        longest(self.builtin_exporters(), &name).or_else(|| longest(self.exporters().map(|(e, _)| e), &name))
+        let outside = || longest(self.exporters().map(|(e, _)| e), &file_name(path)?);
+        self.builtin_exporter_for(path).or_else(outside)
     }
+}
+
+/// The path's last part in lower case.
+fn file_name(path: &Path) -> Option<String> {
+    Some(path.file_name()?.to_string_lossy().to_lowercase())
 }
 
 /// The exporter with the longest extension that this file name has, the first of several.
