@@ -59,12 +59,13 @@ pub fn shown(path: &Path) -> String {
 /// Prints a line on standard error. What a document says must not steer the terminal, so control characters are
 /// written out.
 pub fn say(line: &str) {
-    let safe: String = cut(line)
-        .chars()
-        .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
-        .collect();
     // Nobody is left to be told when standard error is closed.
-    let _ = writeln!(io::stderr(), "{safe}");
+    let _ = writeln!(io::stderr(), "{}", safe(&cut(line)));
+}
+
+/// The line with its control characters written out.
+pub fn safe(line: &str) -> String {
+    line.chars().flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] }).collect()
 }
 
 /// The longest line that is printed on standard error, characters: a document can make a message as long as itself.

@@ -1,6 +1,6 @@
 //! `planform plugins check`.
 
-use crate::cli::failure::{print, shown};
+use crate::cli::failure::{print, safe, shown};
 use crate::cli::{Failure, outside};
 use crate::host::conformance::{Finding, Outcome, try_library};
 use clap::Args;
@@ -56,11 +56,7 @@ pub fn run(args: &CheckArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A fault may quote what steers a terminal.
-fn safe(fault: &str) -> String {
-    fault.chars().flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] }).collect()
-}
-
+/// Faults may quote what steers a terminal.
 fn line(finding: &Finding) -> String {
     match &finding.outcome {
         Outcome::Passed => format!("ok       it {}\n", finding.title),
