@@ -15,7 +15,7 @@ impl Ways {
     pub fn of(package: &str) -> Self {
         let library = compiled(package);
         let limits = Limits {
-            program: env!("CARGO_BIN_EXE_planform").into(),
+            program: Some(env!("CARGO_BIN_EXE_planform").into()),
             time: Duration::from_secs(Limits::TIME),
             memory: Limits::MEMORY,
             echo: false,

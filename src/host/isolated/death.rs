@@ -97,8 +97,7 @@ mod tests {
     use std::time::Duration;
 
     fn told(signal: i32, last_words: &str, peak: u64, late: bool) -> String {
-        let limits =
-            Limits { program: "planform".into(), time: Duration::from_secs(2), memory: 100, echo: false };
+        let limits = Limits { program: None, time: Duration::from_secs(2), memory: 100, echo: false };
         let status = Some(ExitStatus::from_raw(signal));
         Death { status, late, last_words: last_words.into(), peak }.told(&limits).0
     }

@@ -20,8 +20,8 @@ pub const VERB: &str = "plugin-process";
 /// What a plugin's process may take, and how it is run.
 #[derive(Debug, Clone)]
 pub struct Limits {
-    /// The program whose verb [`VERB`] runs the plugin.
-    pub program: PathBuf,
+    /// The program whose verb [`VERB`] runs the plugin; none is this one.
+    pub program: Option<PathBuf>,
     /// The longest that one call may take.
     pub time: Duration,
     /// The most memory, in MiB, beyond what the program itself takes.

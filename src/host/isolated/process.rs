@@ -127,8 +127,7 @@ impl Process {
     }
 
     fn cannot_start(&self, error: &io::Error) -> PluginError {
-        let program = self.limits.program.display();
-        let message = format!("no process can be started for it with `{program}`: {error}");
+        let message = format!("no process of planform can be started for it: {error}");
         PluginError::new(ErrorKind::Io, message)
     }
 }
@@ -153,7 +152,8 @@ struct Running {
 
 impl Running {
     fn start(library: &Path, limits: &Limits) -> io::Result<Self> {
-        let mut command = Command::new(&limits.program);
+        let program = limits.program.clone().map_or_else(std::env::current_exe, Ok)?;
+        let mut command = Command::new(program);
         command.arg(VERB).arg(library).arg(limits.memory.to_string());
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         // With a group of its own, what the plugin starts is ended with it.
