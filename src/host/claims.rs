@@ -3,9 +3,6 @@
 use super::{Registry, messages};
 use planform_sdk::{Confidence, ErrorKind, InputAdapter, PluginError, Probe, Source};
 
-/// How many of a document's first bytes an adapter is shown.
-const HEAD: usize = 4096;
-
 /// What one input adapter says of a document.
 pub struct Claim<'a> {
     /// The adapter.
@@ -21,8 +18,7 @@ impl Registry {
     /// What each input adapter says of the document, the surest first and equally sure ones in the registry's order.
     /// Those from outside are asked only when no built-in one is sure.
     pub fn claims(&self, source: &Source) -> Vec<Claim<'_>> {
-        let head = &source.bytes[..source.bytes.len().min(HEAD)];
-        let probe = Probe { path: &source.path, head };
+        let probe = Probe::of(source);
         let claim = |adapter: &dyn InputAdapter| adapter.probe(&probe);
         let mut claims: Vec<_> =
             self.builtin_adapters().map(|adapter| Claim { adapter, confidence: claim(adapter) }).collect();

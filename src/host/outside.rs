@@ -121,23 +121,32 @@ impl Loaded {
     }
 
     fn add(&mut self, library: &Path, (adapters, exporters): Contents, taken: &Taken) {
+        let Self { adapters: read, exporters: write, shadowed, .. } = self;
         for plugin in adapters {
-            let name = plugin.info().name.clone();
-            let before = self.adapters.iter().find(|a| a.info().name == name).map(|a| a.library.as_path());
-            match shadow("input adapter", &name, &taken.adapters, before) {
-                None => self.adapters.push(Outsider { plugin, library: library.into() }),
-                Some(reason) => self.shadowed.push(Refusal { library: Some(library.into()), reason }),
-            }
+            shadowed.extend(admit(read, plugin, library, "input adapter", &taken.adapters, |a| a.info()));
         }
         for plugin in exporters {
-            let name = plugin.info().name.clone();
-            let before = self.exporters.iter().find(|e| e.info().name == name).map(|e| e.library.as_path());
-            match shadow("exporter", &name, &taken.exporters, before) {
-                None => self.exporters.push(Outsider { plugin, library: library.into() }),
-                Some(reason) => self.shadowed.push(Refusal { library: Some(library.into()), reason }),
-            }
+            shadowed.extend(admit(write, plugin, library, "exporter", &taken.exporters, |e| e.info()));
         }
     }
+}
+
+/// Puts a plugin behind those of its kind, unless one of them or a built-in one has its name.
+fn admit<T: ?Sized>(
+    before: &mut Vec<Outsider<T>>,
+    plugin: Box<T>,
+    library: &Path,
+    kind: &str,
+    taken: &[String],
+    info: fn(&T) -> &PluginInfo,
+) -> Option<Refusal> {
+    let name = &info(&plugin).name;
+    let twin = before.iter().find(|b| info(&b.plugin).name == *name).map(|b| b.library.as_path());
+    let reason = shadow(kind, name, taken, twin);
+    if reason.is_none() {
+        before.push(Outsider { plugin, library: library.into() });
+    }
+    reason.map(|reason| Refusal { library: Some(library.into()), reason })
 }
 
 /// What shadows a plugin of this name, if anything does.

@@ -31,7 +31,15 @@ pub struct Probe<'a> {
     pub head: &'a [u8],
 }
 
-impl Probe<'_> {
+impl<'a> Probe<'a> {
+    /// How many of a document's first bytes an adapter is shown.
+    const HEAD: usize = 4096;
+
+    /// What an adapter may look at of this document.
+    pub fn of(source: &'a Source) -> Self {
+        Self { path: &source.path, head: &source.bytes[..source.bytes.len().min(Self::HEAD)] }
+    }
+
     /// The path's extension in lower case, or an empty text.
     pub fn extension(&self) -> String {
         self.path.extension().map(|e| e.to_string_lossy().to_lowercase()).unwrap_or_default()

@@ -225,6 +225,11 @@ impl Options {
         Self(values.into_iter().collect())
     }
 
+    /// All names and values, as they cross to plugins.
+    pub fn values(&self) -> BTreeMap<String, OptionValue> {
+        self.0.clone()
+    }
+
     /// All names and values, in the order of the names.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &OptionValue)> {
         self.0.iter().map(|(name, value)| (name.as_str(), value))

@@ -2,14 +2,13 @@
 
 use super::material::{self, Specimen};
 use super::{
-    REPEATS, Subject, about_to_try, bad_options, decent, defaults, information_of, not_taken, on_threads,
+    REPEATS, Subject, about_to_try, bad_options, defaults, harmless, information_of, not_taken, on_threads,
     typed,
 };
 use crate::host::Registry;
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiAdapter;
 use planform_sdk::{GeoAnchor, InputAdapter, PluginError, Probe, Scene, Source};
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// The longest that a probe may take: every adapter is asked about every document.
@@ -34,19 +33,20 @@ fn read(adapter: &AbiAdapter, source: &Source) -> Result<Scene, PluginError> {
 pub fn probes_garbage(subject: &Subject<'_>) -> Result<(), String> {
     for adapter in &subject.plugin.adapters {
         for Specimen { what, source } in material::garbage(extension(adapter)) {
-            probes(adapter, &what, &source.path, &source.bytes[..source.bytes.len().min(4096)])?;
+            probes(adapter, &what, &Probe::of(&source))?;
         }
         for path in material::paths(extension(adapter)) {
-            probes(adapter, &shortened(&format!("the path {path:?}")), &path, b"some text\n")?;
+            let probe = Probe { path: &path, head: b"some text\n" };
+            probes(adapter, &shortened(&format!("the path {path:?}")), &probe)?;
         }
     }
     Ok(())
 }
 
-fn probes(adapter: &AbiAdapter, what: &str, path: &Path, head: &[u8]) -> Result<(), String> {
+fn probes(adapter: &AbiAdapter, what: &str, probe: &Probe<'_>) -> Result<(), String> {
     about_to_try(what);
     let start = Instant::now();
-    adapter.confidence(&Probe { path, head }).map_err(|e| format!("{what}: {}", e.message))?;
+    adapter.confidence(probe).map_err(|e| format!("{what}: {}", e.message))?;
     if start.elapsed() > QUICK {
         return Err(format!("{what}: its probe takes {:.1} s", start.elapsed().as_secs_f64()));
     }
@@ -58,7 +58,7 @@ fn survives(subject: &Subject<'_>, specimens: impl Fn(&AbiAdapter) -> Vec<Specim
     for adapter in &subject.plugin.adapters {
         for Specimen { what, source } in specimens(adapter) {
             about_to_try(&what);
-            read(adapter, &source).map_or_else(|e| decent(&what, &e), |_| Ok(()))?;
+            harmless(&what, read(adapter, &source))?;
         }
     }
     Ok(())
@@ -105,8 +105,7 @@ pub fn options(subject: &Subject<'_>) -> Result<(), String> {
         for options in bad_options(&adapter.info().options) {
             let what = shortened(&format!("the options {}", typed(&options)));
             about_to_try(&what);
-            let read = adapter.read(subject.sample.unwrap_or(&nothing), &options);
-            read.map_or_else(|e| decent(&what, &e), |_| Ok(()))?;
+            harmless(&what, adapter.read(subject.sample.unwrap_or(&nothing), &options))?;
         }
     }
     Ok(())
@@ -120,10 +119,10 @@ pub fn shortened(text: &str) -> String {
 /// The adapters that say the sample is theirs.
 fn readers<'a>(subject: &Subject<'a>) -> Result<(&'a Source, Vec<&'a AbiAdapter>), String> {
     let sample = sample(subject)?;
-    let probe = Probe { path: &sample.path, head: &sample.bytes[..sample.bytes.len().min(4096)] };
     let mut readers = vec![];
     for adapter in &subject.plugin.adapters {
-        let confidence = adapter.confidence(&probe).map_err(|e| format!("the sample: {}", e.message))?;
+        let confidence =
+            adapter.confidence(&Probe::of(sample)).map_err(|e| format!("the sample: {}", e.message))?;
         readers.extend((confidence.percent > 0).then_some(adapter));
     }
     if readers.is_empty() {

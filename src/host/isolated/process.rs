@@ -346,7 +346,7 @@ impl InputAdapter for Remote {
             adapter: self.number,
             path: source.path.clone().into(),
             byte_limit: source.byte_limit,
-            options: wire::values(options),
+            options: options.values(),
         };
         match self.process.ask(request, source.bytes.clone())? {
             (Answer::Scene(header), cells) => header.with(&cells).map_err(|_| out_of_turn()),
@@ -373,7 +373,7 @@ impl Exporter for Remote {
             exporter: self.number,
             layout: Box::new(document.layout.clone()),
             scene: document.scene.map(SceneHeader::of),
-            options: wire::values(options),
+            options: options.values(),
         };
         let cells = document.scene.map(|scene| wire::cells_of(&scene.grid)).unwrap_or_default();
         match self.process.ask(request, cells)? {

@@ -5,7 +5,7 @@
 
 use planform_sdk::abi::host::Log;
 use planform_sdk::{
-    Annotations, Cell, Confidence, Grid, Layout, OptionValue, Options, PluginError, PluginInfo, Pose, Scene,
+    Annotations, Cell, Confidence, Grid, Layout, OptionValue, PluginError, PluginInfo, Pose, Scene,
 };
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -61,11 +61,6 @@ pub type PathName = OsString;
 
 /// The values of a run's options.
 pub type Values = BTreeMap<String, OptionValue>;
-
-/// The values of these options.
-pub fn values(options: &Options) -> Values {
-    options.iter().map(|(name, value)| (name.to_owned(), value.clone())).collect()
-}
 
 /// A scene without its grid's cells.
 #[derive(Serialize, Deserialize)]

@@ -4,10 +4,9 @@ use super::value::Content;
 use crate::abi::PlanformJson;
 use crate::abi::plugin::of_host;
 use crate::abi::string::Terminated;
-use crate::{ErrorKind, OptionValue, Options, PluginError};
+use crate::{ErrorKind, Options, PluginError};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
-use std::collections::BTreeMap;
 
 /// The document, written and read.
 pub struct Json {
@@ -25,8 +24,7 @@ impl Json {
 
     /// The document of options.
     pub fn of_options(options: &Options) -> Result<Self, PluginError> {
-        let values = options.iter().map(|(name, value)| (name.to_owned(), value.clone()));
-        Self::new(&values.collect::<BTreeMap<String, OptionValue>>())
+        Self::new(&options.values())
     }
 
     /// As a plugin sees it, as long as this lives.
