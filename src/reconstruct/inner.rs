@@ -6,7 +6,7 @@
 use super::outline::Outline;
 use geo::buffer::{BufferStyle, LineJoin};
 use geo::{Area, BooleanOps, Buffer, Intersects, MapCoords, RemoveRepeatedPoints, Validation};
-use planform_sdk::{Point, Polygon, bounds};
+use planform_sdk::{Point, Polygon, bounds, ring_signed_area};
 
 /// What is nearer than this touches, metres.
 const TOUCH: f64 = 1e-6;
@@ -84,16 +84,23 @@ fn sides(outline: &Outline, inset: &[f64]) -> Vec<Side> {
     for ring in &outline.rings {
         let n = ring.len();
         let at = |i: usize| inset.get(first + i % n).copied().unwrap_or(0.0);
+        let bends = |i: usize| bends(ring[(i + n - 1) % n].at, ring[i % n].at, ring[(i + 1) % n].at);
         sides.extend((0..n).map(|i| Side {
             from: ring[i].at,
             to: ring[(i + 1) % n].at,
             inset: at(i),
-            before: at(i + n - 1),
-            after: at(i + 1),
+            before: if bends(i) { at(i + n - 1) } else { 0.0 },
+            after: if bends(i + 1) { at(i + 1) } else { 0.0 },
         }));
         first += n;
     }
     sides
+}
+
+/// Whether a ring turns at `b`. A side that goes straight on has no corner to fill.
+fn bends(a: Point, b: Point, c: Point) -> bool {
+    let twice_area = ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)).abs();
+    twice_area > TOUCH * a.distance(b).max(b.distance(c)).max(a.distance(c))
 }
 
 impl Side {
@@ -119,6 +126,16 @@ impl Side {
         ];
         geo::Polygon::new(geo::LineString::from(corners), vec![])
     }
+}
+
+/// The polygon as it is if it is valid and stays so in a file, else cleaned; `None` if nothing valid is left.
+pub fn settled(polygon: Polygon) -> Option<Polygon> {
+    let sound =
+        |p: &Polygon| to_geo(p).is_valid() && survives_rounding(p) && ring_signed_area(&p.exterior) > 0.0;
+    if polygon.exterior.len() > 2 && sound(&polygon) {
+        return Some(polygon);
+    }
+    largest(geo::MultiPolygon::new(vec![to_geo(&polygon)])).filter(sound)
 }
 
 fn to_geo(p: &Polygon) -> geo::Polygon {
@@ -175,7 +192,7 @@ fn smooth(polygon: &geo::Polygon, width: f64) -> geo::MultiPolygon {
 
 /// Drops the repeated last point, every vertex that lies on the line between its neighbours, and all but one of those
 /// at one place.
-fn clean(mut ring: Vec<Point>) -> Vec<Point> {
+pub fn clean(mut ring: Vec<Point>) -> Vec<Point> {
     if ring.len() > 1 && ring.first() == ring.last() {
         ring.pop();
     }
@@ -183,9 +200,7 @@ fn clean(mut ring: Vec<Point>) -> Vec<Point> {
     while ring.len() > 2 && i < ring.len() {
         let n = ring.len();
         let (a, b, c) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
-        let twice_area = ((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)).abs();
-        let bends = twice_area > TOUCH * a.distance(b).max(b.distance(c)).max(a.distance(c));
-        if !bends || b.distance(c) < SHORTEST {
+        if !bends(a, b, c) || b.distance(c) < SHORTEST {
             ring.remove(i);
             i = i.saturating_sub(2);
         } else {

@@ -22,9 +22,10 @@ mod paper;
 mod params;
 mod partial;
 mod random;
-mod raster;
+pub mod raster;
 mod rooms;
 mod segments;
+pub mod straight;
 mod walls;
 
 pub use affinity::Affinity;

@@ -17,6 +17,12 @@ impl Mask {
         Self { width: grid.width() as usize, height: grid.height() as usize, bits }
     }
 
+    /// A mask of this size; bits that are missing are unset.
+    pub fn new(width: usize, height: usize, mut bits: Vec<bool>) -> Self {
+        bits.resize(width * height, false);
+        Self { width, height, bits }
+    }
+
     /// A mask of the same size with other bits.
     pub fn with_bits(&self, bits: Vec<bool>) -> Self {
         debug_assert_eq!(bits.len(), self.bits.len());

@@ -1,0 +1,76 @@
+//! Rooms along their walls' centre lines: each floor grown by half of the walls around it.
+
+use super::super::inner;
+use super::super::outline::{Corner, Outline};
+use super::carrier::Carrier;
+use super::facing::{Beyond, Face, Stretch};
+use planform_sdk::Polygon;
+
+/// The polygons along the centre lines. They contain the floors and are disjoint. `faces` are the floors' sides in
+/// order, `stretches` what lies beyond each.
+pub fn centres(
+    floors: &[Option<Polygon>],
+    faces: &[Face],
+    stretches: &[Vec<Stretch>],
+) -> Vec<Option<Polygon>> {
+    let mut next = 0;
+    let mut centres = Vec::with_capacity(floors.len());
+    for floor in floors {
+        centres.push(floor.as_ref().map(|floor| {
+            let sides: usize = floor.rings().map(<[_]>::len).sum();
+            let own = next..next + sides;
+            next += sides;
+            grown(floor, &faces[own.clone()], &stretches[own])
+        }));
+    }
+    let own: Vec<Polygon> = floors.iter().map(|f| f.clone().unwrap_or_default()).collect();
+    inner::part(&mut centres, &own);
+    for (centre, floor) in centres.iter_mut().zip(floors) {
+        *centre = centre.take().or_else(|| floor.clone());
+    }
+    centres
+}
+
+fn grown(floor: &Polygon, faces: &[Face], stretches: &[Vec<Stretch>]) -> Polygon {
+    let (mut rings, mut insets) = (Vec::new(), Vec::new());
+    let mut next = 0;
+    for ring in floor.rings() {
+        let mut corners = Vec::new();
+        for i in next..next + ring.len() {
+            for (from, half) in halves(&stretches[i]) {
+                let line = Carrier::of(&faces[i].segment);
+                let at = if from > 0.0 {
+                    line.point(line.along(faces[i].segment.a) + from, 0.0)
+                } else {
+                    faces[i].segment.a
+                };
+                corners.push(Corner { at, line: None });
+                insets.push(-half);
+            }
+        }
+        next += ring.len();
+        rings.push(corners);
+    }
+    inner::floor(&Outline { rings }, &insets).unwrap_or_else(|| floor.clone())
+}
+
+/// Along a face, where the half thickness of the wall changes, from its begin on.
+fn halves(stretches: &[Stretch]) -> Vec<(f64, f64)> {
+    let half = |s: &Stretch| (s.gap_at(s.from) + s.gap_at(s.to)) / 4.0;
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    for (i, stretch) in stretches.iter().enumerate() {
+        // At the end of another wall the walls beside it go on.
+        let here = if stretch.beyond == Beyond::Other {
+            let beside = [i.checked_sub(1).and_then(|k| stretches.get(k)), stretches.get(i + 1)];
+            beside.into_iter().flatten().map(half).fold(0.0, f64::max)
+        } else {
+            half(stretch)
+        };
+        match found.last() {
+            Some((_, last)) if (last - here).abs() < 1e-3 => {}
+            None => found.push((0.0, here)),
+            Some(_) => found.push((stretch.from, here)),
+        }
+    }
+    if found.is_empty() { vec![(0.0, 0.0)] } else { found }
+}

@@ -1,0 +1,141 @@
+//! The order of the steps.
+
+use super::super::inner;
+use super::align::{Around, align};
+use super::bearings;
+use super::doorways;
+use super::pieces::Track;
+use super::simplify::simplify;
+use super::trace::{self, Cells, Ring, corner_point};
+use super::{Labelled, Plan, RoomPlan, Straight, centre, corners, facing, guard, joints, walls};
+use planform_sdk::{Point, Polygon};
+
+/// The share of a room's area by which its polygon may differ from its cells, beyond what the tolerance allows.
+const MOST_DIFFERENCE: f64 = 0.02;
+
+/// Corners may lie this many tolerances from the cells' border.
+const REACH: f64 = 4.0;
+
+/// See [`super::plan`].
+pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
+    let tolerance = params.tolerance.max(1.5 * input.resolution);
+    let whole = cells(input, input.label, params);
+    let main = bearings::main(&tracks(&whole, input, tolerance), tolerance, params);
+    let mut label = input.label.to_vec();
+    let doorways = doorways::take(input, &main, params.max_wall, &mut label);
+    let mut rooms = cells(input, &label, params);
+    for (room, whole) in rooms.iter_mut().zip(whole) {
+        if room.is_none() {
+            *room = whole;
+        }
+    }
+    let drawing = Drawing { input, params, main: &main, label: &label, tolerance };
+    let floors = drawing.floors(&rooms);
+    let faces = facing::faces(&floors);
+    let stretches = facing::stretches(&faces, input, params);
+    let centres = centre::centres(&floors, &faces, &stretches);
+    let (walls, frontiers) = walls::of_stretches(&faces, &stretches);
+    let mut walls = joints::join(walls);
+    joints::meet(&mut walls);
+    let openings = doorways.iter().filter_map(|d| walls::opening(d, &walls, params)).collect();
+    let mut walls = walls::without(walls, &doorways);
+    walls::weigh(&mut walls, input);
+    let rooms = floors.into_iter().zip(centres);
+    let rooms = rooms.map(|(f, c)| f.zip(c).map(|(floor, centre)| RoomPlan { floor, centre })).collect();
+    Plan { rooms, walls, openings, frontiers }
+}
+
+fn cells(input: &Labelled<'_>, label: &[u32], params: &Straight) -> Vec<Option<Cells>> {
+    let boxes = trace::boxes(input, label);
+    let of =
+        |(room, around): (usize, &Option<[i64; 4]>)| around.map(|a| Cells::of(input, label, room, a, params));
+    boxes.iter().enumerate().map(of).collect()
+}
+
+fn tracks(rooms: &[Option<Cells>], input: &Labelled<'_>, tolerance: f64) -> Vec<Track> {
+    let rings = rooms.iter().flatten().flat_map(Cells::rings);
+    rings.map(|r| Track::of(&r, input.resolution, tolerance)).collect()
+}
+
+/// What rooms are drawn with.
+struct Drawing<'a> {
+    input: &'a Labelled<'a>,
+    params: &'a Straight,
+    main: &'a [f64],
+    label: &'a [u32],
+    tolerance: f64,
+}
+
+impl Drawing<'_> {
+    /// The floors, disjoint.
+    fn floors(&self, rooms: &[Option<Cells>]) -> Vec<Option<Polygon>> {
+        let mut tracks: Vec<Around> = Vec::new();
+        for (room, cells) in rooms.iter().enumerate() {
+            let rings = cells.iter().flat_map(Cells::rings);
+            tracks.extend(rings.map(|r| Around { room, track: self.track(&r, self.tolerance) }));
+        }
+        align(&mut tracks, self.main, self.label, self.input, self.params);
+        let mut floors = Vec::with_capacity(rooms.len());
+        let mut rest = tracks.as_slice();
+        for (room, cells) in rooms.iter().enumerate() {
+            let (own, after) = rest.split_at(rest.partition_point(|a| a.room <= room));
+            floors.push(cells.as_ref().map(|cells| self.floor(cells, own)));
+            rest = after;
+        }
+        let exact: Vec<Polygon> = rooms
+            .iter()
+            .map(|c| c.as_ref().map_or_else(Polygon::default, |c| self.exact(&c.rings())))
+            .collect();
+        inner::part(&mut floors, &exact);
+        floors
+    }
+
+    fn track(&self, ring: &Ring, tolerance: f64) -> Track {
+        let mut track = Track::of(ring, self.input.resolution, tolerance);
+        bearings::turn(&mut track, self.main, tolerance, self.params);
+        simplify(&mut track, tolerance, self.params);
+        track
+    }
+
+    /// The first of these that fits the cells: the aligned outline, one of its own with half the tolerance, the cells'
+    /// border.
+    fn floor(&self, cells: &Cells, aligned: &[Around]) -> Polygon {
+        let first = polygon(aligned.iter().map(|a| &a.track), self.tolerance);
+        if let Some(fitting) = self.fitting(first, cells) {
+            return fitting;
+        }
+        let rings = cells.rings();
+        let closer: Vec<Track> = rings.iter().map(|r| self.track(r, self.tolerance / 2.0)).collect();
+        let second = polygon(closer.iter(), self.tolerance / 2.0);
+        self.fitting(second, cells).unwrap_or_else(|| self.exact(&rings))
+    }
+
+    fn fitting(&self, polygon: Polygon, cells: &Cells) -> Option<Polygon> {
+        let polygon = inner::settled(polygon)?;
+        let size = self.input.resolution;
+        let differing = guard::difference(&polygon, cells, size) as f64 * size * size;
+        let border: f64 = polygon.rings().map(length).sum();
+        let most = MOST_DIFFERENCE * polygon.area() + 0.5 * self.tolerance * border;
+        (differing <= most).then_some(polygon)
+    }
+
+    /// The cells' border itself.
+    fn exact(&self, rings: &[Ring]) -> Polygon {
+        let ring = |r: &Ring| -> Vec<Point> {
+            inner::clean(r.iter().map(|&c| corner_point(c, self.input.resolution)).collect())
+        };
+        let mut rings = rings.iter().map(ring);
+        Polygon::new(rings.next().unwrap_or_default(), rings.collect())
+    }
+}
+
+/// The polygon of tracks, the outer ring first.
+fn polygon<'a>(tracks: impl Iterator<Item = &'a Track>, tolerance: f64) -> Polygon {
+    let mut rings = tracks.map(|t| inner::clean(corners::corners(t, REACH * tolerance)));
+    Polygon { exterior: rings.next().unwrap_or_default(), holes: rings.filter(|r| r.len() > 2).collect() }
+}
+
+fn length(ring: &[Point]) -> f64 {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
+}
