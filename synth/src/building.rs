@@ -1,5 +1,6 @@
 //! A building whose layout is known exactly.
 
+use crate::blocks;
 use crate::corridors;
 use crate::doors::{self, Door};
 use crate::fixtures;
@@ -8,6 +9,7 @@ use crate::params::{BuildingParams, RoomKind, Size};
 use crate::partition::{Partition, Run};
 use crate::rng::Rng;
 use crate::shape::{self, Shape};
+use crate::structure;
 use crate::walls;
 use crate::wing;
 use geo::Validation;
@@ -28,6 +30,7 @@ pub struct Building {
     layout: Layout,
     kinds: Vec<RoomKind>,
     depths: Vec<f64>,
+    solids: Vec<Polygon>,
 }
 
 impl Building {
@@ -60,7 +63,9 @@ impl Building {
             return None;
         }
         let thickness = draw_thickness(&partition, &shapes, params, &mut rng);
-        Self::assemble(&partition, &shapes, &thickness, &doors)
+        let mut building = Self::assemble(&partition, &shapes, &thickness, &doors)?;
+        building.solids = structure::draw(&building, &params.variety, &mut rng);
+        Some(building)
     }
 
     /// Puts walls and doors to a plan. `None` when a room becomes invalid or nearly nothing.
@@ -92,7 +97,8 @@ impl Building {
             ..Layout::default()
         };
         let depths = doors.iter().map(|d| thickness[d.run]).collect();
-        Some(Self { layout, kinds: shapes.iter().map(|s| s.kind).collect(), depths })
+        let kinds = shapes.iter().map(|s| s.kind).collect();
+        Some(Self { layout, kinds, depths, solids: Vec::new() })
     }
 
     /// The true layout, in metres in the map frame. Every room counts as complete and every wall weighs 1.
@@ -104,6 +110,12 @@ impl Building {
     /// What a room is for; `None` when there is no such room.
     pub fn kind(&self, room: RoomId) -> Option<RoomKind> {
         self.kinds.get((room as usize).checked_sub(1)?).copied()
+    }
+
+    /// What stands fast inside the rooms and is no wall between two of them: columns, pilasters, short walls,
+    /// shafts, the leaves of open doors.
+    pub fn solids(&self) -> &[Polygon] {
+        &self.solids
     }
 
     /// The openings with the thickness of the walls that they are in, metres.
@@ -120,7 +132,10 @@ fn draw(params: &BuildingParams, rng: &mut Rng) -> Vec<Shape> {
     if params.size == Size::House {
         return shape::trace(&house::draw(rng), params, rng);
     }
-    let plan = corridors::draw(params.size, rng);
+    if rng.wants(params.variety.blocks) {
+        return shape::trace(&blocks::draw(params.size, &params.variety, rng), params, rng);
+    }
+    let plan = corridors::draw(params.size, &params.variety, rng);
     let mut shapes = shape::trace(&plan.draft, params, rng);
     if let Some(end) = plan.right_end.filter(|_| rng.chance(params.wings)) {
         let wing = wing::draw(end, shapes.len(), params, rng);

@@ -4,6 +4,7 @@ use crate::draft::Draft;
 use crate::lattice::Rect;
 use crate::params::{RoomKind, Size};
 use crate::rng::Rng;
+use crate::variety::Variety;
 
 /// Typical measures, in cells of 0.1 m.
 struct Style {
@@ -67,7 +68,7 @@ pub(crate) struct CorridorPlan {
 }
 
 /// Draws a floor plan of this size around a corridor of any shape.
-pub(crate) fn draw(size: Size, rng: &mut Rng) -> CorridorPlan {
+pub(crate) fn draw(size: Size, variety: &Variety, rng: &mut Rng) -> CorridorPlan {
     let style = if size == Size::Office { &OFFICE } else { &SCHOOL };
     let shape = rng.index(if size == Size::Office { 4 } else { 6 });
     let mut draft = Draft::new(1500, 1200);
@@ -77,18 +78,18 @@ pub(crate) fn draw(size: Size, rng: &mut Rng) -> CorridorPlan {
     if !straight && rng.chance(0.5) {
         end_room(&mut draft, &legs, rng);
     }
-    fill(&mut draft, &legs, style, rng);
+    fill(&mut draft, &legs, style, variety, rng);
     let end = straight.then(|| legs[0].rect);
     CorridorPlan { draft, right_end: end, left_end: None }
 }
 
 /// Draws a wing: one corridor with rooms on both sides, nothing beyond its ends.
-pub(crate) fn draw_wing(size: Size, rng: &mut Rng) -> CorridorPlan {
+pub(crate) fn draw_wing(size: Size, variety: &Variety, rng: &mut Rng) -> CorridorPlan {
     let style = if size == Size::Office { &OFFICE } else { &SCHOOL };
     let mut draft = Draft::new(600, 600);
     let leg = main_leg((100, 300), (style.arm.0, style.arm.1), style, rng);
     paint_corridors(&mut draft, &[leg], rng);
-    fill(&mut draft, &[leg], &Style { hall: 0.0, ..*style }, rng);
+    fill(&mut draft, &[leg], &Style { hall: 0.0, ..*style }, variety, rng);
     CorridorPlan { draft, right_end: None, left_end: Some(leg.rect) }
 }
 
@@ -179,13 +180,13 @@ fn end_room(draft: &mut Draft, legs: &[Leg], rng: &mut Rng) {
     }
 }
 
-fn fill(draft: &mut Draft, legs: &[Leg], style: &Style, rng: &mut Rng) {
+fn fill(draft: &mut Draft, legs: &[Leg], style: &Style, variety: &Variety, rng: &mut Rng) {
     if rng.chance(style.hall) {
         hall(draft, legs[0], rng);
     }
     for &leg in legs {
         for left in [true, false] {
-            fill_side(draft, leg, left, style, rng);
+            fill_side(draft, leg, left, style, variety, rng);
         }
     }
 }
@@ -201,9 +202,10 @@ fn hall(draft: &mut Draft, leg: Leg, rng: &mut Rng) {
 }
 
 /// Lines one side of a leg with rooms, wherever there is place.
-fn fill_side(draft: &mut Draft, leg: Leg, left: bool, style: &Style, rng: &mut Rng) {
+fn fill_side(draft: &mut Draft, leg: Leg, left: bool, style: &Style, variety: &Variety, rng: &mut Rng) {
     let mut depth = rng.int(style.depth);
     let mut at = 0;
+    let mut before = None;
     while at < leg.length() {
         let stretch = free_stretch(draft, leg, left, at);
         if stretch == 0 {
@@ -215,10 +217,30 @@ fn fill_side(draft: &mut Draft, leg: Leg, left: bool, style: &Style, rng: &mut R
         }
         let width = room_width(stretch, style, rng);
         let gap = width > 30 && rng.chance(0.03);
-        if !gap {
-            room(draft, leg.strip(left, (at, at + width), depth), leg.horizontal, left, rng);
+        let place = leg.strip(left, (at, at + width), depth);
+        if rng.wants(variety.alcoves) {
+            alcove(draft, leg, left, (at, at + width), depth);
+            before = None;
+        } else if !gap {
+            let id = room(draft, place, leg.horizontal, left, rng);
+            if let (Some(a), Some(b)) = (before, id)
+                && rng.wants(variety.l_shapes)
+            {
+                draft.annex(a, b, back(place, (leg.horizontal, left), rng.int((30, 55))));
+            }
+            before = id;
         }
         at += width;
+    }
+}
+
+/// Widens the corridor beside the leg, up to the depth of the rooms.
+fn alcove(draft: &mut Draft, leg: Leg, left: bool, (from, to): (i32, i32), depth: i32) {
+    let at = leg.rect;
+    let (x, y) = if leg.horizontal { (at.x0 + from, at.y0) } else { (at.x0, at.y0 + from) };
+    let label = draft.lattice.label(x, y);
+    if label > 0 && usize::from(label) <= draft.rooms.len() {
+        draft.widen(usize::from(label) - 1, leg.strip(left, (from, to), depth));
     }
 }
 
@@ -234,29 +256,41 @@ fn room_width(stretch: i32, style: &Style, rng: &mut Rng) -> i32 {
     if stretch - want < 20 { stretch } else { want }
 }
 
-fn room(draft: &mut Draft, rect: Rect, horizontal: bool, left: bool, rng: &mut Rng) {
+/// A room beside a corridor, at times divided.
+pub(crate) fn room(
+    draft: &mut Draft,
+    rect: Rect,
+    horizontal: bool,
+    left: bool,
+    rng: &mut Rng,
+) -> Option<usize> {
     let along = if horizontal { rect.width() } else { rect.height() };
     let kind = if along < 26 { RoomKind::Small } else { RoomKind::Room };
-    let Some(id) = draft.add(rect, kind) else { return };
+    let id = draft.add(rect, kind)?;
     match rng.index(20) {
         0..=2 => en_suite(draft, id, rect, (horizontal, left), rng),
         3..=5 => cupboard(draft, id, rect, rng),
         6 | 7 => toilets(draft, id, rect, horizontal, rng),
         _ => (),
     }
+    Some(id)
 }
 
 /// Parts off the back of a room; it is reached through the front only.
-fn en_suite(draft: &mut Draft, id: usize, rect: Rect, (horizontal, left): (bool, bool), rng: &mut Rng) {
+fn en_suite(draft: &mut Draft, id: usize, rect: Rect, way: (bool, bool), rng: &mut Rng) {
+    draft.carve(id, back(rect, way, rng.int((35, 55))), RoomKind::Room, Some(id));
+}
+
+/// So many percent of a room that lie away from its corridor, which is `horizontal`, the room to its `left` or not.
+pub(crate) fn back(rect: Rect, (horizontal, left): (bool, bool), percent: i32) -> Rect {
     let deep = if horizontal { rect.height() } else { rect.width() };
-    let part = deep * rng.int((35, 55)) / 100;
-    let back = match (horizontal, left) {
+    let part = deep * percent / 100;
+    match (horizontal, left) {
         (true, true) => Rect { y0: rect.y1 - part, ..rect },
         (true, false) => Rect { y1: rect.y0 + part, ..rect },
         (false, true) => Rect { x1: rect.x0 + part, ..rect },
         (false, false) => Rect { x0: rect.x1 - part, ..rect },
-    };
-    draft.carve(id, back, RoomKind::Room, Some(id));
+    }
 }
 
 /// Parts a store off a corner.

@@ -96,9 +96,20 @@ impl Planner<'_> {
     /// Puts an opening into the longest wall between two rooms; false when there is no place.
     fn join(&mut self, a: usize, b: usize) -> bool {
         let Some(run) = self.longest(a, b) else { return false };
+        let small = [a, b].iter().any(|&r| self.kind(r) == RoomKind::Small);
+        if !small && self.rng.wants(self.params.variety.open_fronts) && self.open_front(run) {
+            return true;
+        }
         let (width, kind) = self.width(a, b);
         let narrow = self.params.single_door.0;
         self.place(run, width, kind) || self.place(run, narrow, OpeningKind::Door)
+    }
+
+    /// Puts a passage into a run that leaves little of it.
+    fn open_front(&mut self, run: usize) -> bool {
+        let most = (self.partition.length(&self.partition.runs[run]) - 2.0 * self.margin()).min(7.0);
+        let width = most * self.rng.range((0.4, 0.95));
+        width > 1.0 && self.place(run, width, OpeningKind::Passage)
     }
 
     fn place(&mut self, run: usize, width: f64, kind: OpeningKind) -> bool {

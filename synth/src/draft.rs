@@ -55,6 +55,31 @@ impl Draft {
         self.push(bounding(rects), RoomKind::Corridor, None)
     }
 
+    /// Gives what is empty of the rectangle to a corridor.
+    pub(crate) fn widen(&mut self, corridor: usize, rect: Rect) {
+        self.lattice.repaint(rect, 0, corridor as u16 + 1);
+        if let Some(room) = self.rooms.get_mut(corridor) {
+            room.frame = bounding(&[room.frame, rect]);
+        }
+    }
+
+    /// Gives a part of one room to another, if both stay sound.
+    pub(crate) fn annex(&mut self, to: usize, from: usize, rect: Rect) -> bool {
+        let frames = [to, from].map(|i| self.rooms.get(i).map(|r| r.frame));
+        let [Some(a), Some(b)] = frames else { return false };
+        let (new, old) = (to as u16 + 1, from as u16 + 1);
+        self.lattice.repaint(rect, old, new);
+        let frame = bounding(&[a, rect]);
+        let sound =
+            self.lattice.is_sound(frame, new, LEAST_WIDTH) && self.lattice.is_sound(b, old, LEAST_WIDTH);
+        if sound {
+            self.rooms[to].frame = frame;
+        } else {
+            self.lattice.repaint(rect, new, old);
+        }
+        sound
+    }
+
     /// Makes a rectangle of the room `parent` a room of its own, if both stay sound.
     pub(crate) fn carve(
         &mut self,

@@ -69,6 +69,9 @@ impl Drive {
                 frame.fill(r.centre.rings(), |i| drivable[i] = false);
             }
         }
+        for solid in building.solids() {
+            frame.fill(solid.rings(), |i| floor[i] = false);
+        }
         for face in obstacles.faces() {
             block(frame, face, &mut drivable);
         }

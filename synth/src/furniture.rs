@@ -13,21 +13,21 @@ type Solid = Vec<Point>;
 
 /// A box with its middle, its directions and half its sides.
 #[derive(Clone, Copy)]
-struct Block {
-    middle: Point,
+pub(crate) struct Block {
+    pub(crate) middle: Point,
     /// Unit vector along the length.
-    along: (f64, f64),
-    half_length: f64,
-    half_depth: f64,
+    pub(crate) along: (f64, f64),
+    pub(crate) half_length: f64,
+    pub(crate) half_depth: f64,
 }
 
 impl Block {
-    fn at(&self, u: f64, v: f64) -> Point {
+    pub(crate) fn at(&self, u: f64, v: f64) -> Point {
         let (x, y) = self.along;
         Point::new(self.middle.x + x * u - y * v, self.middle.y + y * u + x * v)
     }
 
-    fn corners(&self) -> Solid {
+    pub(crate) fn corners(&self) -> Solid {
         let (l, d) = (self.half_length, self.half_depth);
         vec![self.at(-l, -d), self.at(l, -d), self.at(l, d), self.at(-l, d)]
     }
@@ -46,13 +46,13 @@ impl Block {
         .to_vec()
     }
 
-    fn radius(&self) -> f64 {
+    pub(crate) fn radius(&self) -> f64 {
         self.half_length.hypot(self.half_depth)
     }
 }
 
-/// What stands in the building: `density` 0 is nothing, 1 is crowded.
-pub(crate) fn furnish(building: &Building, density: f64, seed: u64) -> Vec<Polygon> {
+/// What stands in the building: `density` 0 is nothing, 1 is crowded. `clutter` is the same for solid desks.
+pub(crate) fn furnish(building: &Building, density: f64, clutter: f64, seed: u64) -> Vec<Polygon> {
     let mut rng = Rng::new(seed, 101);
     let mut solids = Vec::new();
     for room in &building.layout().rooms {
@@ -66,6 +66,9 @@ pub(crate) fn furnish(building: &Building, density: f64, seed: u64) -> Vec<Polyg
         let mut scene = Scene { room, doors, taken: Vec::new(), solids: Vec::new() };
         let kind = building.kind(room.id).unwrap_or(RoomKind::Room);
         scene.furnish(kind, density.clamp(0.0, 1.0), &mut rng);
+        if kind != RoomKind::Corridor && clutter > 0.0 {
+            scene.clutter(clutter.min(1.0), &mut rng);
+        }
         solids.extend(scene.solids);
     }
     solids.into_iter().map(|s| Polygon::new(s, vec![])).collect()
@@ -90,6 +93,23 @@ impl Scene<'_> {
             RoomKind::Room => {
                 self.cupboards(density * 0.6, rng);
                 self.tables(density, rng);
+            }
+        }
+    }
+
+    /// Desks that a laser does not see through: side by side in islands, and along the walls.
+    fn clutter(&mut self, clutter: f64, rng: &mut Rng) {
+        self.cupboards(clutter * rng.range((0.2, 0.9)), rng);
+        let Some(Extent { corner: origin, along, size }) = extent(&self.room.inner.exterior) else { return };
+        for _ in 0..(clutter * size.0 * size.1 / 9.0) as u32 {
+            let (u, v) = (rng.range((0.6, size.0)), rng.range((0.6, size.1)));
+            let middle =
+                Point::new(origin.x + along.0 * u - along.1 * v, origin.y + along.1 * u + along.0 * v);
+            let (half_length, half_depth) = (rng.range((0.2, 1.3)), rng.range((0.2, 0.8)));
+            let along = if rng.chance(0.4) { (-along.1, along.0) } else { along };
+            let block = Block { middle, along, half_length, half_depth };
+            if self.take(block, rng.range((-0.6, 0.5))) {
+                self.solids.push(block.corners());
             }
         }
     }
@@ -185,14 +205,14 @@ impl Scene<'_> {
 }
 
 /// A box: a corner, the direction of its length, and its size, metres.
-struct Extent {
-    corner: Point,
-    along: (f64, f64),
-    size: (f64, f64),
+pub(crate) struct Extent {
+    pub(crate) corner: Point,
+    pub(crate) along: (f64, f64),
+    pub(crate) size: (f64, f64),
 }
 
 /// The box around a ring along its longest side.
-fn extent(ring: &[Point]) -> Option<Extent> {
+pub(crate) fn extent(ring: &[Point]) -> Option<Extent> {
     let sides = ring.iter().zip(ring.iter().cycle().skip(1));
     let (a, b) = sides.max_by(|x, y| x.0.distance(*x.1).total_cmp(&y.0.distance(*y.1)))?;
     let length = a.distance(*b);
@@ -214,8 +234,8 @@ mod tests {
     #[test]
     fn density_fills_the_rooms_but_not_the_doorways() {
         let building = corridor_with_rooms(6);
-        assert!(furnish(&building, 0.0, 1).is_empty());
-        let (some, many) = (furnish(&building, 0.3, 1), furnish(&building, 1.0, 1));
+        assert!(furnish(&building, 0.0, 0.0, 1).is_empty());
+        let (some, many) = (furnish(&building, 0.3, 0.0, 1), furnish(&building, 1.0, 0.0, 1));
         assert!(some.len() * 2 < many.len(), "{} {}", some.len(), many.len());
         let doors: Vec<Point> = building.layout().openings.iter().map(|o| o.segment.midpoint()).collect();
         let nearest = |p: &Point| doors.iter().map(|d| d.distance(*p)).fold(f64::MAX, f64::min);

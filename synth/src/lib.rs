@@ -4,6 +4,7 @@
 //! [`Building::clean_grid`] its exact raster, and [`Building::scan`] the map that a robot with a laser would make of
 //! it. The same seed gives the same bytes.
 
+mod blocks;
 mod building;
 mod corridors;
 mod doors;
@@ -21,6 +22,9 @@ mod rng;
 mod scan;
 mod scan_params;
 mod shape;
+mod shrink;
+mod structure;
+mod variety;
 mod walls;
 mod wing;
 
@@ -30,3 +34,5 @@ pub use params::{BuildingParams, RoomKind, Size};
 pub use raster::{Labels, Outline};
 pub use scan::{RoomView, Scan};
 pub use scan_params::{Laser, Noise, Output, ScanParams};
+pub use shrink::shrunk;
+pub use variety::Variety;

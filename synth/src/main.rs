@@ -3,7 +3,7 @@
 mod files;
 
 use clap::{Parser, ValueEnum};
-use planform_synth::{Building, BuildingParams, Noise, Outline, ScanParams, Size};
+use planform_synth::{Building, BuildingParams, Noise, Outline, ScanParams, Size, shrunk};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,6 +40,13 @@ struct Args {
     /// Outline of the rooms in labels.png
     #[arg(long, value_enum, default_value = "centre")]
     labels: LabelsArg,
+    /// Make any kind of building and robot of the seed, for training; --size, --noise, --furniture, --glass and
+    /// --unexplored then say nothing
+    #[arg(long)]
+    varied: bool,
+    /// Make the map smaller by this whole number, as figures are: walls grow and doors shrink
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=20))]
+    shrink: u32,
     /// Write the exact raster of the building in place of a robot's map
     #[arg(long)]
     exact: bool,
@@ -87,15 +94,28 @@ impl Args {
             NoiseArg::None => Noise::none(),
             NoiseArg::Heavy => Noise::heavy(),
         };
+        let resolution = self.resolution;
+        if self.varied {
+            return ScanParams { resolution, ..ScanParams::varied(self.seed) };
+        }
         ScanParams {
             seed: self.seed,
-            resolution: self.resolution,
+            resolution,
             noise,
             furniture: self.furniture,
             unexplored: self.unexplored,
             glass: self.glass,
             ..ScanParams::default()
         }
+    }
+
+    fn building(&self) -> Building {
+        let params = if self.varied {
+            BuildingParams::varied(self.seed)
+        } else {
+            BuildingParams::of_size(self.size())
+        };
+        Building::generate(self.seed, &params)
     }
 
     fn outline(&self) -> Outline {
@@ -107,10 +127,11 @@ impl Args {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    let building = Building::generate(args.seed, &BuildingParams::of_size(args.size()));
+    let building = args.building();
     let grid =
         if args.exact { building.clean_grid(args.resolution)? } else { building.scan(&args.scan())?.grid };
-    let labels = building.labels(args.resolution, args.outline())?;
+    let grid = shrunk(&grid, args.shrink)?;
+    let labels = building.labels(args.resolution, args.outline())?.shrunk(args.shrink);
     files::write(&args.out, &grid, building.layout(), &labels)?;
     println!(
         "{}: {} rooms, {} openings, {} x {} cells",

@@ -39,7 +39,7 @@ pub(crate) struct Obstacles {
 impl Obstacles {
     pub(crate) fn new(building: &Building, gaps: &Gaps, furniture: &[Polygon]) -> Self {
         let mut faces = wall_faces(building, gaps);
-        for solid in furniture {
+        for solid in building.solids().iter().chain(furniture) {
             let ring = &solid.exterior;
             faces.extend(ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&a, &b)| opaque(a, b)));
         }

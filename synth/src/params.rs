@@ -1,5 +1,7 @@
 //! What kind of building to make.
 
+use crate::variety::Variety;
+
 /// How large a building is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Size {
@@ -55,6 +57,8 @@ pub struct BuildingParams {
     pub wings: f64,
     /// Direction of the building's axes in the map frame, radians; `None` draws any.
     pub yaw: Option<f64>,
+    /// Irregularities; by default there are none.
+    pub variety: Variety,
 }
 
 impl BuildingParams {
@@ -71,6 +75,7 @@ impl BuildingParams {
             bays: 0.06,
             wings: 0.35,
             yaw: None,
+            variety: Variety::default(),
         }
     }
 }

@@ -115,6 +115,18 @@ pub struct Labels {
     pub rooms: Vec<RoomId>,
 }
 
+impl Labels {
+    /// The labels that belong to a grid [made smaller](crate::shrunk) by the factor.
+    pub fn shrunk(&self, factor: u32) -> Self {
+        let factor = factor.max(1);
+        let (width, height) = (self.width / factor, self.height / factor);
+        let middle = |i: u32| (i * factor + factor / 2) as usize;
+        let cell = |row: u32, column: u32| self.rooms[middle(row) * self.width as usize + middle(column)];
+        let rooms = (0..height).flat_map(|row| (0..width).map(move |column| cell(row, column))).collect();
+        Self { width, height, rooms }
+    }
+}
+
 impl Building {
     /// The exact raster, `resolution` in metres per cell: floor and open doors free, walls occupied, all else
     /// unknown. A cell is what its centre is.
@@ -138,6 +150,9 @@ impl Building {
         for (opening, depth) in self.openings() {
             let gap = band(&opening.segment, depth / 2.0, 0.0);
             frame.fill([gap.as_slice()].into_iter(), |i| cells[i] = Cell::FREE);
+        }
+        for solid in self.solids() {
+            frame.fill(solid.rings(), |i| cells[i] = Cell::OCCUPIED);
         }
         frame.grid(cells)
     }

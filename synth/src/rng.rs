@@ -40,6 +40,11 @@ impl Rng {
         self.unit() < probability
     }
 
+    /// As [`chance`](Self::chance), but what cannot happen draws no number, so that those after it stay the same.
+    pub(crate) fn wants(&mut self, probability: f64) -> bool {
+        probability > 0.0 && self.chance(probability)
+    }
+
     /// Mean 0, standard deviation 1: a sum of uniform numbers, which needs no platform's logarithm.
     pub(crate) fn gauss(&mut self) -> f64 {
         let sum: f64 = (0..6).map(|_| self.unit()).sum();

@@ -97,7 +97,7 @@ impl Building {
     pub fn scan(&self, params: &ScanParams) -> Result<Scan, GridError> {
         let frame = Frame::around(self.layout(), params.resolution)?;
         let mut rng = Rng::new(params.seed, 100);
-        let furniture = furniture::furnish(self, params.furniture, params.seed);
+        let furniture = furniture::furnish(self, params.furniture, params.clutter, params.seed);
         let left_out = count_left_out(self.layout(), params.unexplored);
         let behind_doors = (left_out as f64 * params.closed_doors.clamp(0.0, 1.0)).round() as usize;
         let open = choose_open(self.layout(), behind_doors, &mut rng);

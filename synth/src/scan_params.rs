@@ -15,6 +15,8 @@ pub struct ScanParams {
     pub noise: Noise,
     /// How much furniture there is, 0 (none) to 1 (crowded).
     pub furniture: f64,
+    /// How many desks and cupboards there are that the laser does not see through, 0 (none) to 1 (crowded).
+    pub clutter: f64,
     /// Share of the rooms that the robot does not enter, 0 to 1.
     pub unexplored: f64,
     /// Share of these whose doors are closed, so that nothing of them is seen, 0 to 1. On account of the others the
@@ -34,6 +36,7 @@ impl Default for ScanParams {
             laser: Laser::default(),
             noise: Noise::default(),
             furniture: 0.0,
+            clutter: 0.0,
             unexplored: 0.0,
             closed_doors: 0.5,
             glass: 0.0,

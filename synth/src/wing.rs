@@ -28,7 +28,7 @@ impl Joint {
 
 /// The shapes of the foyer and of the wing's rooms, to be put after the `count` shapes of the main building.
 pub(crate) fn draw(main: Rect, count: usize, params: &BuildingParams, rng: &mut Rng) -> Vec<Shape> {
-    let CorridorPlan { draft, left_end, .. } = corridors::draw_wing(params.size, rng);
+    let CorridorPlan { draft, left_end, .. } = corridors::draw_wing(params.size, &params.variety, rng);
     let Some(corridor) = left_end else { return Vec::new() };
     let shapes = shape::trace(&draft, params, rng);
     let foot = shapes.iter().flat_map(|s| &s.rings).flatten().map(|p| p.y).fold(f64::MAX, f64::min);
