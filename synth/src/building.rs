@@ -58,11 +58,12 @@ impl Building {
             return None;
         }
         place(&mut shapes, params, &mut rng);
-        let (partition, doors, shapes) = with_doors(shapes, params, &mut rng)?;
+        let (partition, mut doors, shapes) = with_doors(shapes, params, &mut rng)?;
         if !(least..=most).contains(&shapes.len()) {
             return None;
         }
         let thickness = draw_thickness(&partition, &shapes, params, &mut rng);
+        doors::fit(&mut doors, &partition, &thickness);
         let mut building = Self::assemble(&partition, &shapes, &thickness, &doors)?;
         building.solids = structure::draw(&building, &params.variety, &mut rng);
         Some(building)

@@ -78,6 +78,9 @@ pub(crate) fn draw(size: Size, variety: &Variety, rng: &mut Rng) -> CorridorPlan
     if !straight && rng.chance(0.5) {
         end_room(&mut draft, &legs, rng);
     }
+    for &leg in &legs {
+        open_ends(&mut draft, leg, variety, rng);
+    }
     fill(&mut draft, &legs, style, variety, rng);
     let end = straight.then(|| legs[0].rect);
     CorridorPlan { draft, right_end: end, left_end: None }
@@ -180,6 +183,29 @@ fn end_room(draft: &mut Draft, legs: &[Leg], rng: &mut Rng) {
     }
 }
 
+/// Large rooms across the ends of a leg.
+fn open_ends(draft: &mut Draft, leg: Leg, variety: &Variety, rng: &mut Rng) {
+    let r = leg.rect;
+    for far in [false, true] {
+        if !rng.wants(variety.open_ends) {
+            continue;
+        }
+        let (wide, deep) = (rng.int((45, 160)), rng.int((40, 150)));
+        let across = if leg.horizontal { (r.y0, r.y1) } else { (r.x0, r.x1) };
+        // The room reaches past the corridor on both sides.
+        let from = rng.int((across.1 + 13 - wide, across.0 - 13));
+        let at = match (leg.horizontal, far) {
+            (true, true) => Rect::new(r.x1, from, r.x1 + deep, from + wide),
+            (true, false) => Rect::new(r.x0 - deep, from, r.x0, from + wide),
+            (false, true) => Rect::new(from, r.y1, from + wide, r.y1 + deep),
+            (false, false) => Rect::new(from, r.y0 - deep, from + wide, r.y0),
+        };
+        if draft.lattice.is_empty(at) {
+            draft.add(at, if wide * deep > 10_000 { RoomKind::Hall } else { RoomKind::Room });
+        }
+    }
+}
+
 fn fill(draft: &mut Draft, legs: &[Leg], style: &Style, variety: &Variety, rng: &mut Rng) {
     if rng.chance(style.hall) {
         hall(draft, legs[0], rng);
@@ -219,7 +245,8 @@ fn fill_side(draft: &mut Draft, leg: Leg, left: bool, style: &Style, variety: &V
         let gap = width > 30 && rng.chance(0.03);
         let place = leg.strip(left, (at, at + width), depth);
         if rng.wants(variety.alcoves) {
-            alcove(draft, leg, left, (at, at + width), depth);
+            let deep = if rng.chance(0.6) { rng.int((4, 30)) } else { depth };
+            alcove(draft, leg, left, (at, at + width), deep);
             before = None;
         } else if !gap {
             let id = room(draft, place, leg.horizontal, left, rng);
@@ -234,7 +261,7 @@ fn fill_side(draft: &mut Draft, leg: Leg, left: bool, style: &Style, variety: &V
     }
 }
 
-/// Widens the corridor beside the leg, up to the depth of the rooms.
+/// Widens the corridor beside the leg.
 fn alcove(draft: &mut Draft, leg: Leg, left: bool, (from, to): (i32, i32), depth: i32) {
     let at = leg.rect;
     let (x, y) = if leg.horizontal { (at.x0 + from, at.y0) } else { (at.x0, at.y0 + from) };

@@ -1,10 +1,10 @@
 //! Where the doors are: every room is reached, and some only through another.
 
 use crate::params::{BuildingParams, RoomKind};
-use crate::partition::{Partition, Run};
+use crate::partition::{Partition, Run, is_straight};
 use crate::rng::Rng;
 use crate::shape::Shape;
-use planform_sdk::OpeningKind;
+use planform_sdk::{OpeningKind, Point};
 
 /// An opening in a run of wall.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +16,8 @@ pub(crate) struct Door {
     /// Clear width, metres.
     pub(crate) width: f64,
     pub(crate) kind: OpeningKind,
+    /// Whether it is as wide as the walls beside it let it be, whatever `from` and `width` say.
+    pub(crate) whole: bool,
 }
 
 /// Least wall between two doors, metres.
@@ -44,6 +46,40 @@ pub(crate) fn plan(
     let reached = planner.reached();
     let lost = (0..shapes.len()).filter(|&i| !reached[i]).collect();
     (planner.doors, lost)
+}
+
+/// Gives the whole openings their width, now that the walls have their thickness.
+pub(crate) fn fit(doors: &mut [Door], partition: &Partition, thickness: &[f64]) {
+    for door in doors.iter_mut().filter(|d| d.whole) {
+        let run = &partition.runs[door.run];
+        let beside = |corner: usize| {
+            let others = partition.runs.iter().zip(thickness).enumerate();
+            let meets = others.filter(|(i, (r, _))| *i != door.run && r.corners.contains(&corner));
+            let across = meets.filter(|(_, (r, _))| !is_parallel(partition, run, r));
+            across.map(|(_, (_, &t))| t / 2.0).fold(0.0, f64::max)
+        };
+        let [a, b] = run.ends().map(beside);
+        (door.from, door.width) = (a, partition.length(run) - a - b);
+    }
+}
+
+fn is_parallel(partition: &Partition, a: &Run, b: &Run) -> bool {
+    let direction = |r: &Run| {
+        let [from, to] = r.ends().map(|i| partition.points[i]);
+        let length = from.distance(to);
+        ((to.x - from.x) / length, (to.y - from.y) / length)
+    };
+    let ((ax, ay), (bx, by)) = (direction(a), direction(b));
+    (ax * by - ay * bx).abs() < 0.1
+}
+
+fn turns_at(points: &[Point], ring: &[usize], corner: usize) -> bool {
+    let n = ring.len();
+    let here = ring.iter().position(|&c| c == corner);
+    here.is_some_and(|i| {
+        let [a, b, c] = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]].map(|p| points[p]);
+        !is_straight(a, b, c)
+    })
 }
 
 impl Planner<'_> {
@@ -96,6 +132,11 @@ impl Planner<'_> {
     /// Puts an opening into the longest wall between two rooms; false when there is no place.
     fn join(&mut self, a: usize, b: usize) -> bool {
         let Some(run) = self.longest(a, b) else { return false };
+        if self.is_cap(run) && self.rng.wants(self.params.variety.open_ends) {
+            let width = self.partition.length(&self.partition.runs[run]);
+            self.doors.push(Door { run, from: 0.0, width, kind: OpeningKind::Passage, whole: true });
+            return true;
+        }
         let small = [a, b].iter().any(|&r| self.kind(r) == RoomKind::Small);
         if !small && self.rng.wants(self.params.variety.open_fronts) && self.open_front(run) {
             return true;
@@ -105,11 +146,32 @@ impl Planner<'_> {
         self.place(run, width, kind) || self.place(run, narrow, OpeningKind::Door)
     }
 
-    /// Puts a passage into a run that leaves little of it.
+    /// Whether the run is all of a corridor's end, and the room beyond it is not a small one.
+    fn is_cap(&self, run: usize) -> bool {
+        let run = &self.partition.runs[run];
+        let Some(right) = run.right else { return false };
+        let (corridor, other) =
+            if self.kind(run.left) == RoomKind::Corridor { (run.left, right) } else { (right, run.left) };
+        let fits = (1.6..4.5).contains(&self.partition.length(run));
+        let kinds = [self.kind(corridor), self.kind(other)];
+        let rings = &self.partition.rooms[corridor];
+        let turns = |corner: usize| rings.iter().any(|r| turns_at(&self.partition.points, r, corner));
+        fits && matches!(kinds, [RoomKind::Corridor, RoomKind::Room | RoomKind::Hall])
+            && run.ends().into_iter().all(turns)
+    }
+
+    /// Puts a passage into a run that leaves little of it, at times with more beside it.
     fn open_front(&mut self, run: usize) -> bool {
         let most = (self.partition.length(&self.partition.runs[run]) - 2.0 * self.margin()).min(7.0);
         let width = most * self.rng.range((0.4, 0.95));
-        width > 1.0 && self.place(run, width, OpeningKind::Passage)
+        let placed = width > 1.0 && self.place(run, width, OpeningKind::Passage);
+        if placed && self.rng.chance(0.4) {
+            for _ in 0..3 {
+                let width = self.rng.range((1.0, 2.5));
+                self.place(run, width, OpeningKind::Passage);
+            }
+        }
+        placed
     }
 
     fn place(&mut self, run: usize, width: f64, kind: OpeningKind) -> bool {
@@ -128,7 +190,7 @@ impl Planner<'_> {
         let clear = |d: &Door| d.run != run || from + width + PIER < d.from || d.from + d.width + PIER < from;
         let placed = self.doors.iter().all(clear);
         if placed {
-            self.doors.push(Door { run, from, width, kind });
+            self.doors.push(Door { run, from, width, kind, whole: false });
         }
         placed
     }

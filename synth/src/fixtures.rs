@@ -82,7 +82,7 @@ fn assemble(
         let wall = &partition.runs[run];
         let from = (partition.length(wall) - params.door) / 2.0;
         let fits = wall.right.is_some_and(|right| joins(wall.left, right)) && from > params.wall / 2.0;
-        fits.then_some(Door { run, from, width: params.door, kind: OpeningKind::Door })
+        fits.then_some(Door { run, from, width: params.door, kind: OpeningKind::Door, whole: false })
     });
     Building::assemble(&partition, shapes, &thickness, &doors.collect::<Vec<_>>())
 }

@@ -15,6 +15,8 @@ pub struct Variety {
     pub l_shapes: f64,
     /// Probability that two rooms are joined by a passage that takes most of their common wall.
     pub open_fronts: f64,
+    /// Probability that a corridor's end has a large room, into which it then opens in its whole width.
+    pub open_ends: f64,
     /// Share of the rooms and corridors with pilasters along a wall.
     pub pilasters: f64,
     /// Share of the large rooms with free-standing columns.
@@ -39,6 +41,7 @@ impl Variety {
             alcoves: some(0.5, 0.3),
             l_shapes: some(0.5, 0.4),
             open_fronts: some(0.6, 0.35),
+            open_ends: some(0.5, 0.9),
             pilasters: some(0.6, 0.5),
             columns: some(0.6, 0.8),
             narrowings: some(0.7, 0.4),
@@ -103,7 +106,8 @@ mod tests {
     #[test]
     fn every_kind_is_drawn_and_left_out() {
         let drawn: Vec<Variety> = (0..60).map(|seed| BuildingParams::varied(seed).variety).collect();
-        let kinds: [fn(&Variety) -> f64; 9] = [
+        let kinds: [fn(&Variety) -> f64; 10] = [
+            |v| v.open_ends,
             |v| v.open_fronts,
             |v| v.alcoves,
             |v| v.l_shapes,
