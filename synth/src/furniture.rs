@@ -66,8 +66,8 @@ pub(crate) fn furnish(building: &Building, density: f64, clutter: f64, seed: u64
         let mut scene = Scene { room, doors, taken: Vec::new(), solids: Vec::new() };
         let kind = building.kind(room.id).unwrap_or(RoomKind::Room);
         scene.furnish(kind, density.clamp(0.0, 1.0), &mut rng);
-        if kind != RoomKind::Corridor && clutter > 0.0 {
-            scene.clutter(clutter.min(1.0), &mut rng);
+        if clutter > 0.0 {
+            scene.clutter(kind, clutter.min(1.0), &mut rng);
         }
         solids.extend(scene.solids);
     }
@@ -98,7 +98,10 @@ impl Scene<'_> {
     }
 
     /// Desks that a laser does not see through: side by side in islands, and along the walls.
-    fn clutter(&mut self, clutter: f64, rng: &mut Rng) {
+    fn clutter(&mut self, kind: RoomKind, clutter: f64, rng: &mut Rng) {
+        if kind == RoomKind::Corridor {
+            return self.cupboards(clutter * 0.2, rng);
+        }
         self.cupboards(clutter * rng.range((0.2, 0.9)), rng);
         let Some(Extent { corner: origin, along, size }) = extent(&self.room.inner.exterior) else { return };
         for _ in 0..(clutter * size.0 * size.1 / 9.0) as u32 {

@@ -2,7 +2,8 @@
 //!
 //! [`Building::generate`] draws a building from a seed; [`Building::layout`] is its true layout,
 //! [`Building::clean_grid`] its exact raster, and [`Building::scan`] the map that a robot with a laser would make of
-//! it. The same seed gives the same bytes.
+//! it. The same seed gives the same bytes. [`Sample::draw`] makes a map with its truth of any kind of building, for
+//! training.
 
 mod blocks;
 mod building;
@@ -19,6 +20,7 @@ mod params;
 mod partition;
 mod raster;
 mod rng;
+mod sample;
 mod scan;
 mod scan_params;
 mod shape;
@@ -32,6 +34,7 @@ pub use building::Building;
 pub use fixtures::{SimpleParams, corridor_with_rooms, simple, two_rooms};
 pub use params::{BuildingParams, RoomKind, Size};
 pub use raster::{Labels, Outline};
+pub use sample::Sample;
 pub use scan::{RoomView, Scan};
 pub use scan_params::{Laser, Noise, Output, ScanParams};
 pub use shrink::shrunk;

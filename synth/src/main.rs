@@ -3,7 +3,7 @@
 mod files;
 
 use clap::{Parser, ValueEnum};
-use planform_synth::{Building, BuildingParams, Noise, Outline, ScanParams, Size, shrunk};
+use planform_synth::{Building, BuildingParams, Noise, Outline, Sample, ScanParams, Size};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -40,13 +40,9 @@ struct Args {
     /// Outline of the rooms in labels.png
     #[arg(long, value_enum, default_value = "centre")]
     labels: LabelsArg,
-    /// Make any kind of building and robot of the seed, for training; --size, --noise, --furniture, --glass and
-    /// --unexplored then say nothing
+    /// Make any kind of map of any kind of building, for training: of the other options only --seed and --out count
     #[arg(long)]
     varied: bool,
-    /// Make the map smaller by this whole number, as figures are: walls grow and doors shrink
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=20))]
-    shrink: u32,
     /// Write the exact raster of the building in place of a robot's map
     #[arg(long)]
     exact: bool,
@@ -94,13 +90,9 @@ impl Args {
             NoiseArg::None => Noise::none(),
             NoiseArg::Heavy => Noise::heavy(),
         };
-        let resolution = self.resolution;
-        if self.varied {
-            return ScanParams { resolution, ..ScanParams::varied(self.seed) };
-        }
         ScanParams {
             seed: self.seed,
-            resolution,
+            resolution: self.resolution,
             noise,
             furniture: self.furniture,
             unexplored: self.unexplored,
@@ -109,13 +101,13 @@ impl Args {
         }
     }
 
-    fn building(&self) -> Building {
-        let params = if self.varied {
-            BuildingParams::varied(self.seed)
-        } else {
-            BuildingParams::of_size(self.size())
-        };
-        Building::generate(self.seed, &params)
+    fn sample(&self) -> Result<Sample, Box<dyn Error>> {
+        let building = Building::generate(self.seed, &BuildingParams::of_size(self.size()));
+        let resolution = self.resolution;
+        let grid =
+            if self.exact { building.clean_grid(resolution)? } else { building.scan(&self.scan())?.grid };
+        let labels = building.labels(resolution, self.outline())?;
+        Ok(Sample { grid, labels, layout: building.layout().clone() })
     }
 
     fn outline(&self) -> Outline {
@@ -127,17 +119,13 @@ impl Args {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
-    let building = args.building();
-    let grid =
-        if args.exact { building.clean_grid(args.resolution)? } else { building.scan(&args.scan())?.grid };
-    let grid = shrunk(&grid, args.shrink)?;
-    let labels = building.labels(args.resolution, args.outline())?.shrunk(args.shrink);
-    files::write(&args.out, &grid, building.layout(), &labels)?;
+    let Sample { grid, labels, layout } = if args.varied { Sample::draw(args.seed)? } else { args.sample()? };
+    files::write(&args.out, &grid, &layout, &labels)?;
     println!(
         "{}: {} rooms, {} openings, {} x {} cells",
         args.out.display(),
-        building.layout().rooms.len(),
-        building.layout().openings.len(),
+        layout.rooms.len(),
+        layout.openings.len(),
         grid.width(),
         grid.height()
     );

@@ -86,8 +86,8 @@ impl<'a> Site<'a> {
             return;
         }
         if rng.wants(variety.narrowings) {
-            let most = if corridor { 6 } else { 2 };
-            for _ in 0..rng.int((1, most)) {
+            let most = if corridor { (area / 20.0).clamp(3.0, 15.0) } else { 2.0 };
+            for _ in 0..rng.int((1, most as i32)) {
                 self.narrowing(corridor, rng);
             }
         }
