@@ -49,8 +49,19 @@ pub fn part(floors: &mut [Option<Polygon>], outlines: &[Polygon]) {
         }
         let p = p.difference(&q.intersection(&to_geo(&outlines[b])));
         let q = geo::MultiPolygon::new(vec![q]).difference(&p);
-        (floors[a], floors[b]) = (largest(p), largest(q));
+        (floors[a], floors[b]) = (kept(p, &outlines[a]), kept(q, &outlines[b]));
     }
+}
+
+/// Of the parts of a floor that was cut the one with most of the room's outline.
+fn kept(mut parts: geo::MultiPolygon, outline: &Polygon) -> Option<Polygon> {
+    if parts.0.len() > 1 {
+        let outline = to_geo(outline);
+        let within = |p: &geo::Polygon| p.intersection(&outline).unsigned_area();
+        let best = parts.0.into_iter().map(|p| (within(&p), p)).max_by(|a, b| a.0.total_cmp(&b.0));
+        parts = geo::MultiPolygon::new(best.into_iter().map(|b| b.1).collect());
+    }
+    largest(parts)
 }
 
 /// The pairs of floors whose boxes meet, the smaller index first, in rising order.
@@ -138,6 +149,11 @@ pub fn settled(polygon: Polygon) -> Option<Polygon> {
     largest(geo::MultiPolygon::new(vec![to_geo(&polygon)])).filter(sound)
 }
 
+/// Whether a polygon covers another one but for artefacts of the cutting.
+pub fn covers(outer: &Polygon, inner: &Polygon) -> bool {
+    to_geo(inner).difference(&to_geo(outer)).unsigned_area() <= SLIVER * inner.area().max(SLIVER)
+}
+
 fn to_geo(p: &Polygon) -> geo::Polygon {
     let ring = |r: &[Point]| r.iter().map(|p| (p.x, p.y)).collect::<geo::LineString>();
     geo::Polygon::new(ring(&p.exterior), p.holes.iter().map(|h| ring(h)).collect())
@@ -184,10 +200,21 @@ fn survives_rounding(polygon: &Polygon) -> bool {
 fn smooth(polygon: &geo::Polygon, width: f64) -> geo::MultiPolygon {
     let offset = |polygons: &geo::MultiPolygon, by: f64| {
         let style = BufferStyle::new(by).line_join(LineJoin::Miter(MITRE));
-        polygons.buffer_with_style(style)
+        solid(polygons.buffer_with_style(style))
     };
-    let opened = offset(&offset(&geo::MultiPolygon::new(vec![polygon.clone()]), -2.0 * width), 2.0 * width);
+    let whole = solid(geo::MultiPolygon::new(vec![polygon.clone()]));
+    let opened = offset(&offset(&whole, -2.0 * width), 2.0 * width);
     offset(&offset(&opened, width), -width)
+}
+
+/// Without rings that enclose nothing, such as shrinking leaves: the next offset would panic.
+fn solid(polygons: geo::MultiPolygon) -> geo::MultiPolygon {
+    let encloses = |r: &geo::LineString| r.0.len() > 3;
+    let whole = polygons.0.into_iter().filter(|p| encloses(p.exterior()));
+    let parts = whole.map(geo::Polygon::into_inner);
+    parts
+        .map(|(outer, inner)| geo::Polygon::new(outer, inner.into_iter().filter(encloses).collect()))
+        .collect()
 }
 
 /// Drops the repeated last point, every vertex that lies on the line between its neighbours, and all but one of those

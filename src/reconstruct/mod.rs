@@ -22,7 +22,7 @@ mod paper;
 mod params;
 mod partial;
 mod random;
-pub mod raster;
+mod raster;
 mod rooms;
 mod segments;
 pub mod straight;

@@ -3,7 +3,6 @@
 
 use super::carrier::Carrier;
 use super::pieces::{Piece, Track};
-use super::trace::beyond;
 use super::{Labelled, Straight};
 use std::f64::consts::PI;
 
@@ -21,12 +20,10 @@ pub struct Around {
 
 /// Moves pieces onto common lines. `label` is the raster whose borders were traced.
 pub fn align(tracks: &mut [Around], main: &[f64], label: &[u32], input: &Labelled<'_>, params: &Straight) {
-    for bearing in 0..main.len() {
+    for (bearing, &angle) in main.iter().enumerate() {
         for facing in [false, true] {
             let distance = MOST_APART * params.alignment;
-            common_offsets(tracks, distance, |p| {
-                p.bearing == Some(bearing) && backwards(p, main[bearing]) == facing
-            });
+            common_offsets(tracks, distance, |p| p.bearing == Some(bearing) && backwards(p, angle) == facing);
         }
     }
     join_open_sides(tracks, label, input);
@@ -62,7 +59,7 @@ fn join_open_sides(tracks: &mut [Around], label: &[u32], input: &Labelled<'_>) {
     let mut open: Vec<(usize, usize, usize, usize)> = Vec::new();
     for (t, around) in tracks.iter().enumerate() {
         for (i, piece) in around.track.pieces.iter().enumerate() {
-            if let Some(other) = across(&around.track, piece, label, input) {
+            if let Some(other) = around.track.across(piece, label, input) {
                 open.push((around.room.min(other), around.room.max(other), t, i));
             }
         }
@@ -75,20 +72,6 @@ fn join_open_sides(tracks: &mut [Around], label: &[u32], input: &Labelled<'_>) {
             }
         }
     }
-}
-
-/// The room beyond most of a piece's sides.
-fn across(track: &Track, piece: &Piece, label: &[u32], input: &Labelled<'_>) -> Option<usize> {
-    let n = track.ring.len();
-    let other = |i: usize| {
-        let (c, r) = beyond(track.ring[i % n], track.ring[(i + 1) % n]);
-        input.room(label, c, r)
-    };
-    let mut others: Vec<u32> = (piece.from..piece.from + piece.sides).map(other).filter(|&l| l > 0).collect();
-    others.sort_unstable();
-    let middle = *others.get(others.len() / 2)?;
-    let most = others.iter().filter(|&&l| l == middle).count();
-    (2 * most > piece.sides).then(|| middle as usize - 1)
 }
 
 fn join(tracks: &mut [Around], a: (usize, usize), b: (usize, usize), most: f64) {

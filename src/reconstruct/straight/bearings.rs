@@ -1,8 +1,8 @@
 //! The building's main directions, and pieces turned to them.
 
 use super::super::directions::{self, Directions, difference};
-use super::Straight;
 use super::pieces::{Piece, Track};
+use super::{Labelled, Straight};
 use planform_sdk::Segment;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,9 +18,10 @@ const SQUARE: f64 = 0.05;
 /// Pieces shorter than this many tolerances do not know their angle.
 const SHORT: f64 = 3.0;
 
-/// The main directions: angles in [0, pi), by rising angle.
-pub fn main(tracks: &[Track], tolerance: f64, params: &Straight) -> Vec<f64> {
-    let long = |t: &Track, p: &Piece| t.length(p) > SHORT * tolerance;
+/// The main directions: angles in [0, pi), by rising angle. Where two rooms adjoin is no wall, and says nothing.
+pub fn main(tracks: &[Track], input: &Labelled<'_>, tolerance: f64, params: &Straight) -> Vec<f64> {
+    let long =
+        |t: &Track, p: &Piece| t.length(p) > SHORT * tolerance && t.across(p, input.label, input).is_none();
     let of_track = |t: &Track| -> Vec<Segment> {
         let long = t.pieces.iter().filter(|p| long(t, p));
         long.map(|p| Segment::new(p.line.project(t.at(p.from)), p.line.project(t.end(p)))).collect()
@@ -29,11 +30,28 @@ pub fn main(tracks: &[Track], tolerance: f64, params: &Straight) -> Vec<f64> {
     let clusters =
         directions::cluster(&segments, &Directions { min_share: params.min_share, ..Directions::default() });
     let length = |s: &[Segment]| s.iter().map(Segment::length).sum::<f64>();
-    let mut found: Vec<(f64, f64)> = clusters.iter().map(|c| (c.angle, length(&c.segments))).collect();
+    let mut found: Vec<(f64, f64)> =
+        clusters.iter().map(|c| (sharpened(c.angle, &c.segments), length(&c.segments))).collect();
     found.sort_by(|a, b| b.1.total_cmp(&a.1));
     let mut angles = square(&found);
     angles.sort_by(f64::total_cmp);
     angles
+}
+
+/// The median of the segments' angles near a mode, each counted by the square of its length: how well a segment knows
+/// its angle grows faster than its length.
+fn sharpened(mode: f64, segments: &[Segment]) -> f64 {
+    let turn = |s: &Segment| difference(directions::line_angle(s), mode);
+    let mut turns: Vec<(f64, f64)> = segments.iter().map(|s| (turn(s), s.length().powi(2))).collect();
+    turns.retain(|t| t.0.abs() < SQUARE);
+    turns.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let half = turns.iter().map(|t| t.1).sum::<f64>() / 2.0;
+    let mut sum = 0.0;
+    let middle = turns.iter().find(|t| {
+        sum += t.1;
+        sum >= half
+    });
+    directions::wrap(mode + middle.map_or(0.0, |m| m.0))
 }
 
 /// Makes nearly right angles right, from the longest direction on.

@@ -6,6 +6,9 @@ use super::carrier::Carrier;
 use super::facing::{Beyond, Face, Stretch};
 use planform_sdk::Polygon;
 
+/// Half thicknesses along a face that differ by less are one, metres: they are measured in cells.
+const SAME: f64 = 0.03;
+
 /// The polygons along the centre lines. They contain the floors and are disjoint. `faces` are the floors' sides in
 /// order, `stretches` what lies beyond each.
 pub fn centres(
@@ -25,10 +28,23 @@ pub fn centres(
     }
     let own: Vec<Polygon> = floors.iter().map(|f| f.clone().unwrap_or_default()).collect();
     inner::part(&mut centres, &own);
-    for (centre, floor) in centres.iter_mut().zip(floors) {
-        *centre = centre.take().or_else(|| floor.clone());
+    if fall_back(&mut centres, floors) {
+        inner::part(&mut centres, &own);
     }
     centres
+}
+
+/// Where a narrow room lost its floor to its neighbours' walls, its floor is its outline. Tells whether there was one.
+fn fall_back(centres: &mut [Option<Polygon>], floors: &[Option<Polygon>]) -> bool {
+    let mut any = false;
+    for (centre, floor) in centres.iter_mut().zip(floors) {
+        let Some(floor) = floor else { continue };
+        if !centre.as_ref().is_some_and(|c| inner::covers(c, floor)) {
+            *centre = Some(floor.clone());
+            any = true;
+        }
+    }
+    any
 }
 
 fn grown(floor: &Polygon, faces: &[Face], stretches: &[Vec<Stretch>]) -> Polygon {
@@ -57,7 +73,9 @@ fn grown(floor: &Polygon, faces: &[Face], stretches: &[Vec<Stretch>]) -> Polygon
 /// Along a face, where the half thickness of the wall changes, from its begin on.
 fn halves(stretches: &[Stretch]) -> Vec<(f64, f64)> {
     let half = |s: &Stretch| (s.gap_at(s.from) + s.gap_at(s.to)) / 4.0;
-    let mut found: Vec<(f64, f64)> = Vec::new();
+    let length = |s: &&Stretch| s.to - s.from;
+    let longest = stretches.iter().max_by(|a, b| length(a).total_cmp(&length(b))).map_or(0.0, half);
+    let mut found: Vec<(f64, f64)> = vec![(0.0, longest)];
     for (i, stretch) in stretches.iter().enumerate() {
         // At the end of another wall the walls beside it go on.
         let here = if stretch.beyond == Beyond::Other {
@@ -66,11 +84,12 @@ fn halves(stretches: &[Stretch]) -> Vec<(f64, f64)> {
         } else {
             half(stretch)
         };
-        match found.last() {
-            Some((_, last)) if (last - here).abs() < 1e-3 => {}
-            None => found.push((0.0, here)),
-            Some(_) => found.push((stretch.from, here)),
+        let here = if (here - longest).abs() < SAME { longest } else { here };
+        if i == 0 {
+            found = vec![(0.0, here)];
+        } else if found.last().is_some_and(|(_, last)| (last - here).abs() >= 1e-3) {
+            found.push((stretch.from, here));
         }
     }
-    if found.is_empty() { vec![(0.0, 0.0)] } else { found }
+    found
 }

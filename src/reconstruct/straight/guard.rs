@@ -20,8 +20,9 @@ fn fill(polygon: &Polygon, cells: &Cells, resolution: f64) -> Vec<bool> {
         for (i, p) in ring.iter().enumerate() {
             let (a, b) = (local(p), local(&ring[(i + 1) % ring.len()]));
             let (low, high) = (a.1.min(b.1).ceil().max(0.0), a.1.max(b.1).ceil().min(height as f64));
-            for row in low as usize..high.max(0.0) as usize {
-                crossings[row].push(a.0 + (row as f64 - a.1) * (b.0 - a.0) / (b.1 - a.1));
+            let rows = crossings.iter_mut().enumerate().take(high.max(0.0) as usize);
+            for (row, xs) in rows.skip(low as usize) {
+                xs.push(a.0 + (row as f64 - a.1) * (b.0 - a.0) / (b.1 - a.1));
             }
         }
     }

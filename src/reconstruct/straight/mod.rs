@@ -66,8 +66,8 @@ impl Default for Straight {
             tolerance: 0.15,
             alignment: 0.5,
             min_share: 0.05,
-            dent_depth: 0.3,
-            dent_width: 0.8,
+            dent_depth: 0.5,
+            dent_width: 1.0,
             min_hole: 2.0,
             max_wall: 0.9,
             unseen_thickness: 0.2,
@@ -154,3 +154,6 @@ impl Labelled<'_> {
 pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
     plan::plan(input, params)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,9 @@
 //! A traced ring split into nearly straight pieces: the method of Ramer, and of Douglas and Peucker (1973), and then
 //! joined again where one line does for two pieces.
 
+use super::Labelled;
 use super::carrier::Carrier;
-use super::trace::{Ring, corner_point};
+use super::trace::{Ring, beyond, corner_point};
 use planform_sdk::Point;
 use std::f64::consts::PI;
 
@@ -59,6 +60,21 @@ impl Track {
     /// Length of a piece from end to end, metres.
     pub fn length(&self, piece: &Piece) -> f64 {
         self.at(piece.from).distance(self.end(piece))
+    }
+
+    /// The room beyond most of a piece's sides.
+    pub fn across(&self, piece: &Piece, label: &[u32], input: &Labelled<'_>) -> Option<usize> {
+        let n = self.ring.len();
+        let other = |i: usize| {
+            let (c, r) = beyond(self.ring[i % n], self.ring[(i + 1) % n]);
+            input.room(label, c, r)
+        };
+        let mut others: Vec<u32> =
+            (piece.from..piece.from + piece.sides).map(other).filter(|&l| l > 0).collect();
+        others.sort_unstable();
+        let middle = *others.get(others.len() / 2)?;
+        let most = others.iter().filter(|&&l| l == middle).count();
+        (2 * most > piece.sides).then(|| middle as usize - 1)
     }
 
     /// The middles of a piece's sides.

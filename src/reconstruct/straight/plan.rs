@@ -19,16 +19,10 @@ const REACH: f64 = 4.0;
 /// See [`super::plan`].
 pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
     let tolerance = params.tolerance.max(1.5 * input.resolution);
-    let whole = cells(input, input.label, params);
-    let main = bearings::main(&tracks(&whole, input, tolerance), tolerance, params);
+    let main = bearings::main(&tracks(input, tolerance), input, tolerance, params);
     let mut label = input.label.to_vec();
     let doorways = doorways::take(input, &main, params.max_wall, &mut label);
-    let mut rooms = cells(input, &label, params);
-    for (room, whole) in rooms.iter_mut().zip(whole) {
-        if room.is_none() {
-            *room = whole;
-        }
-    }
+    let rooms = cells(input, &label, params);
     let drawing = Drawing { input, params, main: &main, label: &label, tolerance };
     let floors = drawing.floors(&rooms);
     let faces = facing::faces(&floors);
@@ -45,15 +39,22 @@ pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
     Plan { rooms, walls, openings, frontiers }
 }
 
+/// The cells of each room's floor; of a room that is all doorway, all.
 fn cells(input: &Labelled<'_>, label: &[u32], params: &Straight) -> Vec<Option<Cells>> {
-    let boxes = trace::boxes(input, label);
-    let of =
-        |(room, around): (usize, &Option<[i64; 4]>)| around.map(|a| Cells::of(input, label, room, a, params));
-    boxes.iter().enumerate().map(of).collect()
+    let (whole, left) = (trace::boxes(input, input.label), trace::boxes(input, label));
+    let boxes = whole.into_iter().zip(left).enumerate();
+    let room = boxes.map(|(room, (whole, left))| {
+        let (label, around) = left.map_or((input.label, whole?), |around| (label, around));
+        Some(Cells::of(input, label, room, around, params))
+    });
+    room.collect()
 }
 
-fn tracks(rooms: &[Option<Cells>], input: &Labelled<'_>, tolerance: f64) -> Vec<Track> {
-    let rings = rooms.iter().flatten().flat_map(Cells::rings);
+/// All borders of rooms, doorways included.
+fn tracks(input: &Labelled<'_>, tolerance: f64) -> Vec<Track> {
+    let boxes = trace::boxes(input, input.label).into_iter().enumerate();
+    let cells = boxes.filter_map(|(room, b)| Some(Cells::all(input, input.label, room, b?)));
+    let rings = cells.flat_map(|c| c.rings());
     rings.map(|r| Track::of(&r, input.resolution, tolerance)).collect()
 }
 

@@ -9,7 +9,7 @@ use planform_sdk::Point;
 pub struct Cells {
     /// Column and row of the mask's lower left cell.
     pub corner: (i64, i64),
-    /// The cells, with an unset border of one cell.
+    /// The cells, with an unset border of one cell; no two touch only at a corner.
     pub mask: Mask,
 }
 
@@ -29,27 +29,37 @@ pub fn boxes(input: &Labelled<'_>, label: &[u32]) -> Vec<Option<[i64; 4]>> {
 }
 
 impl Cells {
-    /// The largest connected part of a room's cells, without small holes, such that no two cells touch only at a
-    /// corner. `label` may have fewer cells in rooms than the input: what another room of the input has is not filled.
-    pub fn of(
-        input: &Labelled<'_>,
-        label: &[u32],
-        room: usize,
-        [left, low, right, high]: [i64; 4],
-        params: &Straight,
-    ) -> Self {
-        let corner = (left - 1, low - 1);
-        let (width, height) = ((right - left + 3) as usize, (high - low + 3) as usize);
-        let at = |i: usize| (corner.0 + (i % width) as i64, corner.1 + (i / width) as i64);
-        let is = |i: usize| input.room(label, at(i).0, at(i).1) as usize == room + 1;
-        let mask = largest(&Mask::new(width, height, (0..width * height).map(is).collect()));
+    /// All cells of a room but those that touch others only at a corner. The box is that of the room in `label`.
+    pub fn all(input: &Labelled<'_>, label: &[u32], room: usize, around: [i64; 4]) -> Self {
+        let [left, low, right, high] = around.map(|v| v as usize);
+        let (width, height) = (right - left + 3, high - low + 3);
+        let mut bits = vec![false; width * height];
+        for row in low..=high {
+            let cells = &label[row * input.width() + left..=row * input.width() + right];
+            let begin = (row - low + 1) * width + 1;
+            for (bit, &l) in bits[begin..].iter_mut().zip(cells) {
+                *bit = l as usize == room + 1;
+            }
+        }
+        cut_saddles(&mut bits, width);
+        Self { corner: (around[0] - 1, around[1] - 1), mask: Mask::new(width, height, bits) }
+    }
+
+    /// The largest connected part of a room's cells, without small holes. `label` may have fewer cells in rooms than
+    /// the input: a hole with cells of another room of the input is not filled.
+    pub fn of(input: &Labelled<'_>, label: &[u32], room: usize, around: [i64; 4], params: &Straight) -> Self {
+        let all = Self::all(input, label, room, around);
+        let cells = Self { mask: largest(&all.mask), ..all };
+        if cells.rings().len() < 2 {
+            return cells;
+        }
         let taken = |i: usize| {
-            let l = input.room(input.label, at(i).0, at(i).1) as usize;
+            let (c, r) = ((i % cells.mask.width()) as i64, (i / cells.mask.width()) as i64);
+            let l = input.room(input.label, c + cells.corner.0, r + cells.corner.1) as usize;
             l != 0 && l != room + 1
         };
         let most = (params.min_hole / (input.resolution * input.resolution)) as usize;
-        let mask = largest(&cut_saddles(&fill(&mask, most, taken)));
-        Self { corner, mask }
+        Self { mask: fill(&cells.mask, most, taken), ..cells }
     }
 
     /// The rings around the cells: one counter-clockwise, then clockwise ones around holes.
@@ -125,26 +135,22 @@ fn fill(mask: &Mask, most: usize, taken: impl Fn(usize) -> bool) -> Mask {
     mask.with_bits(mask.bits().iter().enumerate().map(set).collect())
 }
 
-/// Unsets one of every two cells that touch only at a corner.
-fn cut_saddles(mask: &Mask) -> Mask {
-    let mut bits = mask.bits().to_vec();
-    let mut open: Vec<usize> = (0..bits.len()).rev().collect();
-    while let Some(i) = open.pop() {
-        let (c, r) = ((i % mask.width()) as i64, (i / mask.width()) as i64);
-        let square = [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(dx, dy)| mask.index(c + dx, r + dy));
-        let [Some(a), Some(b), Some(d), Some(e)] = square else { continue };
-        let cut = match [bits[a], bits[b], bits[d], bits[e]] {
-            [true, false, false, true] => e,
-            [false, true, true, false] => d,
-            _ => continue,
-        };
-        bits[cut] = false;
-        let (c, r) = ((cut % mask.width()) as i64, (cut / mask.width()) as i64);
-        open.extend(
-            [(-1, -1), (0, -1), (-1, 0), (0, 0)].iter().filter_map(|(x, y)| mask.index(c + x, r + y)),
-        );
+/// Unsets one of every two cells that touch only at a corner, and of those that do then. The border is unset.
+fn cut_saddles(bits: &mut [bool], width: usize) {
+    let saddle = |bits: &[bool], i: usize| {
+        let (a, b, c, d) = (bits[i], bits[i + 1], bits[i + width], bits[i + width + 1]);
+        (a == d && b == c && a != b).then_some(if a { i + width + 1 } else { i + width })
+    };
+    let last = bits.len().saturating_sub(width + 1);
+    for start in 0..last {
+        let mut open = vec![];
+        open.extend(saddle(bits, start));
+        while let Some(cut) = open.pop() {
+            bits[cut] = false;
+            let around = [cut - width - 1, cut - width, cut - 1, cut];
+            open.extend(around.into_iter().filter(|&i| i <= start).filter_map(|i| saddle(bits, i)));
+        }
     }
-    mask.with_bits(bits)
 }
 
 /// A corner of cells as a point, metres.

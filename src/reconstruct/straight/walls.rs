@@ -10,6 +10,9 @@ use planform_sdk::{OpeningKind, Segment};
 /// A wall shorter than this is a remnant, metres.
 const SHORTEST: f64 = 0.05;
 
+/// What is left of a wall beside an opening is no wall if it is shorter than this, metres: it lies within another wall.
+const STUB: f64 = 0.15;
+
 /// An opening belongs to a wall whose angle differs by less than this, as a cosine.
 const ALONG: f64 = 0.85;
 
@@ -105,11 +108,14 @@ fn subtract(wall: &StraightWall, openings: impl Iterator<Item = Segment>) -> Vec
     let mut taken: Vec<(f64, f64)> =
         openings.map(|o| (line.along(o.a), line.along(o.b))).map(|(s, t)| (s.min(t), s.max(t))).collect();
     taken.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if taken.is_empty() {
+        return vec![wall.clone()];
+    }
     let (mut at, end) = (line.along(wall.line.a), line.along(wall.line.b));
     let mut parts = Vec::new();
     taken.push((end, end));
     for (from, to) in taken {
-        if from.min(end) - at >= SHORTEST {
+        if from.min(end) - at >= STUB {
             let segment = Segment::new(line.point(at, 0.0), line.point(from.min(end), 0.0));
             parts.push(StraightWall { line: segment, ..wall.clone() });
         }
