@@ -10,6 +10,7 @@ mod building;
 mod corridors;
 mod doors;
 mod draft;
+mod drift;
 mod drive;
 mod fixtures;
 mod furniture;

@@ -1,12 +1,13 @@
 //! The map that a robot with a laser makes of a building.
 
 use crate::building::Building;
+use crate::drift::{Drift, Growth};
 use crate::drive;
 use crate::furniture;
 use crate::obstacles::{Gaps, Obstacles, Walk};
 use crate::raster::Frame;
 use crate::rng::Rng;
-use crate::scan_params::{Laser, Noise, Output, ScanParams};
+use crate::scan_params::{Laser, Noise, Output, ScanParams, within};
 use planform_sdk::{Cell, Grid, GridError, Layout, Point, Polygon, Pose, RoomId, RoomState, Segment};
 use std::f64::consts::TAU;
 
@@ -198,44 +199,16 @@ fn poses(way: &[Point], laser: &Laser) -> Vec<Pose> {
     (0..way.len()).step_by(every).map(|i| Pose { x: way[i].x, y: way[i].y, yaw: heading(i) }).collect()
 }
 
-/// The value brought into its range; what is no number becomes the least.
-fn within(value: f64, least: f64, most: f64) -> f64 {
-    if value.is_nan() { least } else { value.clamp(least, most) }
-}
-
-/// What SLAM leaves of the pose's error: it wanders, but does not grow.
-#[derive(Default)]
-struct Drift {
-    x: f64,
-    y: f64,
-    yaw: f64,
-}
-
-impl Drift {
-    fn wander(&mut self, noise: &Noise, travelled: f64, rng: &mut Rng) {
-        let keep = (-travelled / noise.drift_length.max(0.1)).exp();
-        let mut walk = |value: f64, spread: f64| {
-            let spread = within(spread, 0.0, 1.0);
-            let next = keep * value + (1.0 - keep * keep).sqrt() * spread * rng.gauss();
-            next.clamp(-2.5 * spread, 2.5 * spread)
-        };
-        self.x = walk(self.x, noise.drift_position);
-        self.y = walk(self.y, noise.drift_position);
-        self.yaw = walk(self.yaw, noise.drift_yaw);
-    }
-
-    fn moved(&self, pose: Pose) -> Pose {
-        Pose { x: pose.x + self.x, y: pose.y + self.y, yaw: pose.yaw + self.yaw }
-    }
-}
-
 fn look_around(map: &mut Map, obstacles: &Obstacles, path: &[Pose], params: &ScanParams, rng: &mut Rng) {
     let mut drift = Drift::default();
+    let mut growth = Growth::new(params.seed);
     let mut last = path.first().copied().unwrap_or_default();
     for &pose in path {
-        drift.wander(&params.noise, (pose.x - last.x).hypot(pose.y - last.y), rng);
+        let step = (pose.x - last.x, pose.y - last.y);
+        drift.wander(&params.noise, step.0.hypot(step.1), rng);
+        growth.follow(&params.noise, step);
         last = pose;
-        read_laser(map, obstacles, pose, drift.moved(pose), params, rng);
+        read_laser(map, obstacles, pose, drift.moved(growth.moved(pose)), params, rng);
     }
 }
 

@@ -75,6 +75,10 @@ pub struct Noise {
     pub drift_yaw: f64,
     /// The way over which the pose's error changes.
     pub drift_length: f64,
+    /// Of the error that the robot's position gains over 100 m of way, and that nothing corrects.
+    pub growth_position: f64,
+    /// Of the error that the robot's heading gains over 100 m of way, and that nothing corrects. The map bends by it.
+    pub growth_yaw: f64,
     /// Probability that a ray measures nonsense.
     pub outliers: f64,
 }
@@ -82,19 +86,34 @@ pub struct Noise {
 impl Noise {
     /// A perfect robot.
     pub const fn none() -> Self {
-        Self { range: 0.0, drift_position: 0.0, drift_yaw: 0.0, drift_length: 12.0, outliers: 0.0 }
+        Self {
+            range: 0.0,
+            drift_position: 0.0,
+            drift_yaw: 0.0,
+            drift_length: 12.0,
+            growth_position: 0.0,
+            growth_yaw: 0.0,
+            outliers: 0.0,
+        }
     }
 
     /// A poor robot: bent and double walls, many specks.
     pub const fn heavy() -> Self {
-        Self { range: 0.03, drift_position: 0.07, drift_yaw: 0.010, drift_length: 15.0, outliers: 0.003 }
+        Self {
+            range: 0.03,
+            drift_position: 0.07,
+            drift_yaw: 0.010,
+            drift_length: 15.0,
+            outliers: 0.003,
+            ..Self::none()
+        }
     }
 }
 
 impl Default for Noise {
     /// A usual robot.
     fn default() -> Self {
-        Self { range: 0.015, drift_position: 0.025, drift_yaw: 0.003, drift_length: 12.0, outliers: 0.0005 }
+        Self { range: 0.015, drift_position: 0.025, drift_yaw: 0.003, outliers: 0.0005, ..Self::none() }
     }
 }
 
@@ -106,4 +125,9 @@ pub enum Output {
     Thresholded,
     /// The percentage of rays that ended there.
     Probabilities,
+}
+
+/// The value brought into its range; what is no number becomes the least.
+pub(crate) fn within(value: f64, least: f64, most: f64) -> f64 {
+    if value.is_nan() { least } else { value.clamp(least, most) }
 }

@@ -162,6 +162,21 @@ fn the_yaw_can_be_fixed() {
 }
 
 #[test]
+fn the_yaw_turns_the_same_building() {
+    let areas = |yaw| {
+        let params = BuildingParams { yaw: Some(yaw), ..BuildingParams::default() };
+        let building = Building::generate(2, &params);
+        building.layout().rooms.iter().map(|r| r.inner.area()).collect::<Vec<_>>()
+    };
+    let straight = areas(0.0);
+    for degrees in [7.5f64, 45.0, 90.0] {
+        let turned = areas(degrees.to_radians());
+        assert_eq!(turned.len(), straight.len());
+        assert!(turned.iter().zip(&straight).all(|(a, b)| (a - b).abs() < 1e-3), "{turned:?} {straight:?}");
+    }
+}
+
+#[test]
 fn schools_are_as_long_as_promised() {
     let params = BuildingParams { yaw: Some(0.0), ..BuildingParams::of_size(Size::School) };
     for seed in 0..30 {

@@ -84,6 +84,20 @@ fn furniture_and_noise_leave_their_marks() {
 }
 
 #[test]
+fn an_error_that_grows_bends_the_map() {
+    let building = office(3);
+    let grid = |growth_yaw| {
+        let noise = Noise { growth_yaw, ..Noise::none() };
+        building.scan(&ScanParams { noise, ..ScanParams::default() }).unwrap().grid
+    };
+    let (straight, bent) = (grid(0.0), grid(0.02));
+    let pairs = || straight.cells().iter().zip(bent.cells());
+    let walls = pairs().filter(|(s, _)| **s == Cell::OCCUPIED).count();
+    let kept = pairs().filter(|(s, b)| **s == Cell::OCCUPIED && **b == Cell::OCCUPIED).count();
+    assert!((kept as f64) < 0.6 * walls as f64, "{kept} of {walls}");
+}
+
+#[test]
 fn glass_lets_rays_out() {
     let building = two_rooms();
     let clean = building.clean_grid(0.05).unwrap();
@@ -114,6 +128,8 @@ fn strange_parameters_are_survived() {
     params.noise.range = f64::INFINITY;
     params.noise.drift_length = 0.0;
     params.noise.drift_yaw = f64::NAN;
+    params.noise.growth_yaw = f64::NAN;
+    params.noise.growth_position = f64::INFINITY;
     assert!(two_rooms().scan(&params).is_ok());
     params.resolution = -1.0;
     assert!(two_rooms().scan(&params).is_err());
