@@ -4,7 +4,8 @@
 //! the paper that planform follows, all counted in pixels of the truth ([`measures`]). A truth is a label image
 //! ([`labels`]) or a GeoJSON layout, which is drawn as a fine label image first ([`truth`]).
 //!
-//! [`evaluate`] compares one prediction with its truth, [`evaluate_set`] all maps of a manifest.
+//! [`evaluate`] compares one prediction with its truth, [`evaluate_rooms`] does so without files, and [`evaluate_set`]
+//! all maps of a manifest.
 
 pub mod labels;
 pub mod manifest;
@@ -28,7 +29,8 @@ pub use labels::{LabelImage, LabelMode};
 pub use manifest::{SetScores, Summary, evaluate_set};
 pub use measures::{Clip, Measures, RoomScore, Score};
 pub use overlap::{Overlap, PredictedRoom};
-pub use pair::{Scores, Settings, evaluate};
+pub use pair::{Scores, Settings, evaluate, evaluate_rooms};
+pub use rooms::RoomShape;
 
 /// The smallest room, in pixels, unless the user or the manifest says otherwise: 0.25 square metres at 0.05 m, as in
 /// Bormann et al.

@@ -7,7 +7,7 @@ use super::labels::{LabelImage, LabelMode};
 use super::measures::{Clip, Score, measure};
 use super::overlap::Overlap;
 use super::rooms::{RoomShape, read_rooms};
-use super::truth::draw;
+use super::truth::{Drawing, draw};
 use planform_sdk::{PluginError, Pose, Source};
 use serde::Serialize;
 use std::path::Path;
@@ -115,8 +115,23 @@ fn compare_layouts(prediction: &Path, truth: &Path, settings: &Settings) -> Resu
     let (true_rooms, rooms) = (read_layout(truth)?, read_layout(prediction)?);
     let predicted = in_pixels(rooms, &settings.frame(), height(settings).over(truth)?).over(prediction)?;
     let wanted = in_pixels(true_rooms, &settings.truth_frame(), height(settings).over(truth)?).over(truth)?;
-    let drawing = draw(&wanted, &predicted, settings).over(truth)?;
-    let overlap = Overlap::of_rooms(&drawing.predicted, &drawing.truth).over(prediction)?;
+    scores(&draw(&wanted, &predicted, settings).over(truth)?).over(prediction)
+}
+
+/// Compares rooms with the true ones, both in metres: what [`evaluate`] does with two GeoJSON layouts.
+pub fn evaluate_rooms(
+    prediction: Vec<RoomShape>,
+    truth: Vec<RoomShape>,
+    settings: &Settings,
+) -> Result<Scores, PluginError> {
+    let frame = Frame { units: Units::Metres, ..settings.frame() };
+    frame.check()?;
+    let (predicted, wanted) = (in_pixels(prediction, &frame, 0.0)?, in_pixels(truth, &frame, 0.0)?);
+    scores(&draw(&wanted, &predicted, settings)?)
+}
+
+fn scores(drawing: &Drawing) -> Result<Scores, PluginError> {
+    let overlap = Overlap::of_rooms(&drawing.predicted, &drawing.truth)?;
     Ok(Scores::new(&overlap, drawing.min_px, drawing.resolution))
 }
 
