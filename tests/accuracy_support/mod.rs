@@ -4,9 +4,12 @@
 // Clippy knows the tests themselves, but not what they call.
 #![allow(clippy::unwrap_used)]
 
+pub mod states;
+
 use geo::{Area, BooleanOps, BoundingRect, Intersects, LineString};
+use planform::evaluate::RoomShape;
 use planform::reconstruct::{Params, reconstruct};
-use planform_sdk::{Grid, Layout, Point, Polygon, Provenance, Scene};
+use planform_sdk::{Grid, Layout, Point, Polygon, Provenance, Room, Scene};
 
 /// The layout of a grid, with default parameters.
 pub fn layout_of(grid: Grid) -> Layout {
@@ -28,6 +31,12 @@ pub fn shared(a: &geo::Polygon<f64>, b: &geo::Polygon<f64>) -> f64 {
 /// The outlines of all rooms along the centres of their walls.
 pub fn centres(layout: &Layout) -> Vec<geo::Polygon<f64>> {
     layout.rooms.iter().map(|r| to_geo(&r.centre)).collect()
+}
+
+/// The same outlines for `planform::evaluate`, named by the rooms' ids.
+pub fn shapes(layout: &Layout) -> Vec<RoomShape> {
+    let shape = |r: &Room| RoomShape { name: r.id.to_string(), parts: vec![r.centre.clone()] };
+    layout.rooms.iter().map(shape).collect()
 }
 
 /// The share of `these` polygons' area that lies in the one of `those` which it has most in common with. With the
