@@ -47,7 +47,7 @@ fn section(curve: &Curve) -> String {
     let header: Vec<String> = [*unit].into_iter().chain(MEASURES).map(String::from).collect();
     let rows = values.iter().zip(&curve.means);
     let rows = rows.map(|(v, means)| [v.to_string()].into_iter().chain(means.map(percent)).collect());
-    format!("### {name}\n\n{}", table(&header, &rows.collect::<Vec<_>>()))
+    format!("#### {name}\n\n{}", table(&header, &rows.collect::<Vec<_>>()))
 }
 
 /// The largest difference of a measure's means along a curve.
