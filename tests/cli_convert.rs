@@ -58,7 +58,7 @@ fn quiet_says_nothing() {
 #[test]
 fn verbose_tells_the_steps() {
     let (_, err) = Workshop::new().does("convert map.yaml -o a.svg -v");
-    for step in ["reading ", "edges ", "rooms ", "writing "] {
+    for step in ["reading ", "basins ", "rooms ", "writing "] {
         assert!(err.lines().any(|l| l.starts_with(step) && l.ends_with(" s")), "{step} is not in\n{err}");
     }
 }
@@ -96,11 +96,13 @@ fn the_extension_counts_in_any_case() {
 fn debug_pictures_show_the_steps() {
     let w = Workshop::new();
     w.does("convert map.yaml -o a.svg --debug-dir deep/steps");
-    let edges = image::open(w.path("deep/steps/02-edges.png")).unwrap();
+    let basins = image::open(w.path("deep/steps/02-basins.png")).unwrap();
     // Of 200 x 120 cells 184 x 104 are known, with 5 around them; 9 pixels each.
-    assert_eq!((edges.width(), edges.height()), (194 * 9, 114 * 9));
+    assert_eq!((basins.width(), basins.height()), (194 * 9, 114 * 9));
     w.refuses("convert map.yaml -o b.svg --debug-dir deep/steps", 1, &[".png", "--force"]);
     w.does("convert map.yaml -o b.svg --debug-dir deep/steps --force");
+    w.does("convert map.yaml -o c.svg --debug-dir paper --method paper");
+    assert!(w.path("paper/02-edges.png").is_file() && w.path("paper/12-walls.png").is_file());
 }
 
 #[cfg(unix)]

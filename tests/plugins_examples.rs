@@ -41,7 +41,7 @@ fn movingai_stands_every_check() {
 fn movingai_reads_its_sample() {
     let w = movingai();
     let (_, err) = w.does(&format!("convert {FLAT} {FOLDER} -o flat.svg -o flat.dxf -o flat.geojson"));
-    assert!(err.contains("5 rooms, 16 walls, 4 doors"), "{err}");
+    assert!(err.contains("5 rooms, 20 walls, 4 doors"), "{err}");
     let (_, err) = w.does(&format!("convert {FLAT} {FOLDER} --trust-plugins -o trusted.geojson"));
     assert!(err.contains("5 rooms"), "{err}");
     assert_eq!(w.read("flat.geojson"), w.read("trusted.geojson"));

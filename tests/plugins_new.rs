@@ -113,7 +113,7 @@ fn an_exporter_writes_a_table(lang: &str) {
     let rows: Vec<_> = table.lines().map(|line| line.split(',').collect::<Vec<_>>()).collect();
     assert_eq!(rows[0], ["id", "name", "area_m2", "centre_x_m", "centre_y_m", "doors"]);
     // The two rooms are side by side in the map's frame, about 21 square metres each, with a door between.
-    for (row, (id, x)) in rows[1..].iter().zip([("1", 6.25), ("2", 1.75)]) {
+    for (row, (id, x)) in rows[1..].iter().zip([("1", 1.75), ("2", 6.25)]) {
         assert_eq!((row[0], row[1], row[5]), (id, "", "1"), "{table}");
         for (field, truth) in [(2, 21.3), (3, x), (4, 5.0)] {
             assert!((row[field].parse::<f64>().unwrap() - truth).abs() < 0.5, "{table}");

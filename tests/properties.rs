@@ -167,6 +167,7 @@ fn sound(layout: &Layout, name: &str) {
             "{name}: room {} has a frontier, but is not partial",
             frontier.room
         );
+        assert!(frontier.area >= 0.0, "{name}: a frontier leads to {} square metres", frontier.area);
     }
 }
 
@@ -179,6 +180,7 @@ fn numbers(layout: &Layout) -> Vec<f64> {
     let segments = walls.chain(openings).chain(frontiers).chain(layout.lines.iter().map(|l| &l.segment));
     let points = rings.copied().chain(segments.flat_map(|s| [s.a, s.b]));
     let measures = layout.walls.iter().flat_map(|w| [w.thickness, w.weight]);
+    let measures = measures.chain(layout.frontiers.iter().map(|f| f.area));
     points.flat_map(|p| [p.x, p.y]).chain(measures).chain(layout.lines.iter().map(|l| l.support)).collect()
 }
 

@@ -6,11 +6,11 @@ mod accuracy_support;
 #[path = "../benches/robustness/page.rs"]
 mod page;
 
-use accuracy_support::shapes;
 use accuracy_support::states::Tally;
+use accuracy_support::{for_seeds, layout_of, shapes};
 use planform::evaluate::{Settings, evaluate_rooms};
 use planform_sdk::{Layout, RoomState};
-use planform_synth::{RoomView, two_rooms};
+use planform_synth::{Building, BuildingParams, RoomView, ScanParams, Size, two_rooms};
 
 /// What was seen of the two rooms.
 fn views(seen: [f64; 2]) -> Vec<RoomView> {
@@ -70,6 +70,29 @@ fn tallies_add_up() {
     let tallies = [tally([COMPLETE, PARTIAL], [1.0, 0.2]), tally([COMPLETE, COMPLETE], [1.0, 0.6])];
     let sum: Tally = tallies.iter().sum();
     assert_eq!((sum.complete, sum.partial, sum.right(), sum.seen()), (2, 2, 0.75, 0.4));
+}
+
+/// Shares of the rooms that the robot has entered when it stops.
+const ENTERED: [f64; 4] = [0.3, 0.5, 0.7, 0.9];
+
+/// A building that was entered in part, all doors open.
+fn explored(job: u64) -> Tally {
+    let (seed, entered) = (job / ENTERED.len() as u64 + 1, ENTERED[job as usize % ENTERED.len()]);
+    let size = [Size::House, Size::Office, Size::School][(seed % 3) as usize];
+    let building = Building::generate(seed, &BuildingParams::of_size(size));
+    let params = ScanParams { seed, unexplored: 1.0 - entered, closed_doors: 0.0, ..ScanParams::default() };
+    let scan = building.scan(&params).unwrap();
+    Tally::of(&layout_of(scan.grid), building.layout(), &scan.rooms)
+}
+
+#[test]
+fn partial_rooms_are_told_and_completed() {
+    let tallies = for_seeds(0..6 * ENTERED.len() as u64, explored);
+    let all: Tally = tallies.iter().sum();
+    println!("right {:.3}, IoU of partial rooms {:.3}: {all:?}", all.right(), all.iou());
+    assert!(all.right() >= 0.9, "{all:?}");
+    assert!(all.complete_right() >= 0.9 && all.partial_right() >= 0.65, "{all:?}");
+    assert!(all.iou() >= 0.6, "{all:?}");
 }
 
 #[test]

@@ -78,7 +78,11 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     tell_refusals(&registry, args.voice());
     let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
     let options = opened.options(&args.input.settings(), &exporters)?;
-    let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force)).transpose()?;
+    let folder = args
+        .debug_dir
+        .as_deref()
+        .map(|dir| DebugFolder::prepare(dir, params.method.steps(), args.force))
+        .transpose()?;
     let (adapter_options, exporter_options) = options.split_at(1);
     let scene = read(&opened, &adapter_options[0], args.voice())?;
     let run = Run { opened: &opened, scene: &scene, voice: args.voice() };

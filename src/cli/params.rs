@@ -219,7 +219,7 @@ mod tests {
             ("contour.free=300", "must be a whole number from 0 to 255, not integer `300`"),
             ("clutter.radius=wide", "must be a number, not the text \"wide\""),
             ("clutter=1", "must be a table of parameters, not integer `1`"),
-            ("method=guess", "`guess` is not one of `paper`"),
+            ("method=guess", "`guess` is not one of `basins` or `paper`"),
         ] {
             let Failure::Usage(sentence) = set(&Params::default(), setting).unwrap_err() else {
                 panic!("{setting}")

@@ -12,21 +12,22 @@ use std::path::{Path, PathBuf};
 /// The folder of the steps' pictures.
 pub struct DebugFolder {
     path: PathBuf,
+    steps: &'static [Step],
     force: bool,
 }
 
 impl DebugFolder {
     /// Makes the folder if it is not there. Fails when a picture would overwrite a file and must not.
-    pub fn prepare(path: &Path, force: bool) -> Result<Self, Failure> {
+    pub fn prepare(path: &Path, steps: &'static [Step], force: bool) -> Result<Self, Failure> {
         fs::create_dir_all(path).map_err(|e| Failure::of_io(path, e))?;
-        let folder = Self { path: path.into(), force };
-        Step::ALL.iter().try_for_each(|step| check_file(&folder.file(*step), force))?;
+        let folder = Self { path: path.into(), steps, force };
+        steps.iter().try_for_each(|step| check_file(&folder.file(*step), force))?;
         Ok(folder)
     }
 
     /// `01-clutter.png` for the first step.
     fn file(&self, step: Step) -> PathBuf {
-        let number = Step::ALL.iter().position(|s| *s == step).unwrap_or(0) + 1;
+        let number = self.steps.iter().position(|s| *s == step).unwrap_or(0) + 1;
         self.path.join(format!("{number:02}-{}.png", step.name()))
     }
 }

@@ -7,6 +7,7 @@ use super::faces::{Arrangement, Edge};
 use super::observer::{Drawing, Shape};
 use super::raster::Mask;
 use planform_sdk::{Point, Polygon, Segment};
+use std::collections::BTreeMap;
 
 const GREEN: [u8; 3] = [0, 150, 60];
 const RED: [u8; 3] = [210, 30, 30];
@@ -104,8 +105,18 @@ impl Scale {
         runs: &[Run],
         openings: impl Iterator<Item = Segment>,
     ) -> Drawing {
+        self.plan(rooms, runs.iter().map(|r| (r.segment, r.weight)), openings)
+    }
+
+    /// The rooms with their walls, the bolder the more of them the map shows, and the openings.
+    pub fn plan<'a>(
+        self,
+        rooms: impl Iterator<Item = (&'a Polygon, bool)>,
+        walls: impl Iterator<Item = (Segment, f64)>,
+        openings: impl Iterator<Item = Segment>,
+    ) -> Drawing {
         let mut drawing = self.rooms(rooms);
-        drawing.shapes.extend(runs.iter().map(|r| self.line(r.segment, BLACK, 0.5 + 3.0 * r.weight)));
+        drawing.shapes.extend(walls.map(|(line, weight)| self.line(line, BLACK, 0.5 + 3.0 * weight)));
         drawing.shapes.extend(openings.map(|s| self.line(s, RED, 3.0)));
         drawing
     }
@@ -126,6 +137,19 @@ pub fn cleared(obstacles: &Mask, walls: &Mask) -> Drawing {
 /// The inner area, as the paper shows it.
 pub fn area(mask: &Mask) -> Drawing {
     marked(mask, YELLOW)
+}
+
+/// The cells of a mask, one colour for each label; those without one stay as they are.
+pub fn labels(mask: &Mask, label: &[u32]) -> Drawing {
+    let mut groups: BTreeMap<u32, Vec<(u32, u32)>> = BTreeMap::new();
+    for (column, row) in mask.cells() {
+        let l = label[row * mask.width() + column];
+        if l != 0 {
+            groups.entry(l).or_default().push((column as u32, row as u32));
+        }
+    }
+    let cells = |(l, cells)| Shape::Cells { cells, colour: colour(l as usize) };
+    Drawing { shapes: groups.into_iter().map(cells).collect() }
 }
 
 fn marked(mask: &Mask, colour: [u8; 3]) -> Drawing {

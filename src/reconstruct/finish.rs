@@ -10,8 +10,8 @@ use super::paper::{Built, Division};
 use super::partial::is_frontier;
 use super::walls::{self, Faces, Profile};
 use planform_sdk::{
-    Frontier, Grid, Layout, Opening, Point, Polygon, RepresentativeLine, Room, RoomId, RoomState, Scene,
-    Segment, Wall,
+    Frontier, FrontierKind, Grid, Layout, Opening, Point, Polygon, RepresentativeLine, Room, RoomId,
+    RoomState, Scene, Segment, Wall,
 };
 use std::collections::BTreeMap;
 
@@ -98,25 +98,29 @@ pub fn layout(scene: &Scene, params: &Params, found: &Found<'_>) -> Layout {
 }
 
 /// From metres in the grid to the map frame.
-struct Frame<'a>(&'a Grid);
+pub struct Frame<'a>(pub &'a Grid);
 
 impl Frame<'_> {
-    fn point(&self, p: Point) -> Point {
+    /// A point.
+    pub fn point(&self, p: Point) -> Point {
         let resolution = self.0.resolution();
         self.0.to_map(Point::new(p.x / resolution, p.y / resolution))
     }
 
-    fn segment(&self, s: Segment) -> Segment {
+    /// A segment.
+    pub fn segment(&self, s: Segment) -> Segment {
         Segment::new(self.point(s.a), self.point(s.b))
     }
 
-    fn polygon(&self, p: &Polygon) -> Polygon {
+    /// A polygon.
+    pub fn polygon(&self, p: &Polygon) -> Polygon {
         let ring = |r: &Vec<Point>| r.iter().map(|&p| self.point(p)).collect();
         Polygon::new(ring(&p.exterior), p.holes.iter().map(ring).collect())
     }
 }
 
-fn id(room: usize) -> RoomId {
+/// The id of a room that is counted from 0.
+pub fn id(room: usize) -> RoomId {
     room as RoomId + 1
 }
 
@@ -135,7 +139,7 @@ fn rooms(scene: &Scene, frame: &Frame<'_>, found: &Found<'_>) -> Vec<Room> {
 }
 
 /// The text in the room that is written largest.
-fn name(scene: &Scene, room: &Polygon) -> Option<String> {
+pub fn name(scene: &Scene, room: &Polygon) -> Option<String> {
     let inside = scene.texts.iter().filter(|t| room.contains(Point::new(t.pose.x, t.pose.y)));
     inside.max_by(|a, b| a.height.total_cmp(&b.height)).map(|t| t.content.clone())
 }
@@ -157,7 +161,8 @@ fn walls(frame: &Frame<'_>, found: &Found<'_>, params: &Params) -> Vec<Wall> {
     along.map(wall).collect()
 }
 
-fn opening(frame: &Frame<'_>, gap: &Gap) -> Opening {
+/// An opening in the map frame.
+pub fn opening(frame: &Frame<'_>, gap: &Gap) -> Opening {
     let [a, b] = gap.rooms.map(id);
     Opening { kind: gap.kind, segment: frame.segment(gap.segment), rooms: [a.min(b), a.max(b)] }
 }
@@ -166,7 +171,9 @@ fn frontiers(frame: &Frame<'_>, found: &Found<'_>, params: &Params) -> Vec<Front
     let open = found.built.runs.iter().filter(|r| is_frontier(r, &params.partial));
     let frontier = |run: &Run| {
         let room = run.rooms.iter().flatten().next()?;
-        Some(Frontier { segment: frame.segment(run.segment), room: id(*room) })
+        // The room is closed there, by a line or where the seen cells end: what lies behind is no part of it.
+        let segment = frame.segment(run.segment);
+        Some(Frontier { segment, room: id(*room), leads: FrontierKind::Space, area: 0.0 })
     };
     open.filter_map(frontier).collect()
 }

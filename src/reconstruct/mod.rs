@@ -1,9 +1,11 @@
-//! From a grid to a layout, after Luperto et al., "Extracting Structure of Buildings using Layout Reconstruction",
-//! Algorithm 1. One file for each step, in the paper's order.
+//! From a grid to a layout, by one of two methods: `basins` (the folder of that name, then `straight`), and `paper`,
+//! Algorithm 1 of Luperto et al., "Extracting Structure of Buildings using Layout Reconstruction", one file for each step.
 //!
 //! The core reads no file, prints nothing and does not know where a grid came from.
 
 mod affinity;
+#[doc(hidden)]
+pub mod basins;
 mod boundary;
 mod clutter;
 mod collinear;
@@ -25,10 +27,11 @@ mod random;
 mod raster;
 mod rooms;
 mod segments;
-pub mod straight;
+mod straight;
 mod walls;
 
 pub use affinity::Affinity;
+pub use basins::{Explored, Furniture, Merge};
 pub use clutter::Clutter;
 pub use collinear::{Collinear, Linkage};
 pub use contour::Contour;
@@ -41,6 +44,7 @@ pub use params::{Method, Params};
 pub use partial::Partial;
 pub use rooms::{Metric, Rooms};
 pub use segments::Segments;
+pub use straight::Straight;
 pub use walls::Walls;
 
 use planform_sdk::{Layout, Scene};
@@ -82,6 +86,7 @@ pub fn reconstruct(
 ) -> Result<Layout, ReconstructError> {
     params.check()?;
     match params.method {
+        Method::Basins => basins::reconstruct(scene, params, observer),
         Method::Paper => paper::reconstruct(scene, params, observer),
     }
 }

@@ -2,8 +2,8 @@
 
 use planform_sdk::{Polygon, Segment};
 
-/// The steps, in their order.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// The steps of all methods.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Step {
     /// Isolated obstacle cells are removed.
     Clutter,
@@ -29,11 +29,13 @@ pub enum Step {
     Partial,
     /// Inner rings, walls' thickness, openings.
     Walls,
+    /// Free space cut into basins.
+    Basins,
 }
 
 impl Step {
-    /// All steps, in order.
-    pub const ALL: [Self; 12] = [
+    /// The steps of the paper's method, in order.
+    pub const PAPER: [Self; 12] = [
         Self::Clutter,
         Self::Edges,
         Self::Segments,
@@ -47,6 +49,9 @@ impl Step {
         Self::Partial,
         Self::Walls,
     ];
+
+    /// The steps of the method `basins`, in order.
+    pub const BASINS: [Self; 5] = [Self::Clutter, Self::Basins, Self::Rooms, Self::Partial, Self::Walls];
 
     /// The name, in lower case.
     pub fn name(self) -> &'static str {
@@ -63,6 +68,7 @@ impl Step {
             Self::Rooms => "rooms",
             Self::Partial => "partial",
             Self::Walls => "walls",
+            Self::Basins => "basins",
         }
     }
 }

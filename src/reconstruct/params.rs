@@ -3,6 +3,7 @@
 
 use super::ReconstructError;
 use super::affinity::Affinity;
+use super::basins::{Explored, Furniture, Merge};
 use super::clutter::Clutter;
 use super::collinear::Collinear;
 use super::contour::Contour;
@@ -10,9 +11,11 @@ use super::directions::Directions;
 use super::edges::Edges;
 use super::faces::Faces;
 use super::lines::Lines;
+use super::observer::Step;
 use super::partial::Partial;
 use super::rooms::Rooms;
 use super::segments::Segments;
+use super::straight::Straight;
 use super::walls::Walls;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -22,7 +25,7 @@ use std::ops::RangeInclusive;
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Which method reconstructs: `paper` is Algorithm 1 of the paper.
+    /// Which method reconstructs: `basins` merges basins of free space to rooms, `paper` is Algorithm 1 of the paper.
     pub method: Method,
     /// How isolated obstacle cells are found and removed.
     pub clutter: Clutter,
@@ -46,6 +49,14 @@ pub struct Params {
     pub rooms: Rooms,
     /// What makes a face partial.
     pub partial: Partial,
+    /// What stands in the free space and is no wall, for the method `basins`.
+    pub furniture: Furniture,
+    /// When two regions of free space are one room, for the method `basins`.
+    pub merge: Merge,
+    /// When a room is partial, and how it is completed, for the method `basins`.
+    pub explored: Explored,
+    /// How straight rooms' polygons are, for the method `basins`.
+    pub straight: Straight,
     /// How walls' faces and openings are measured.
     pub walls: Walls,
 }
@@ -54,7 +65,7 @@ impl Params {
     /// Every number with its name as in the file and the range that it may have. Beyond it the work would have no
     /// meaning or no end.
     fn ranges(&self) -> Vec<(&'static str, f64, RangeInclusive<f64>)> {
-        let (s, w) = (&self.segments, &self.walls);
+        let (s, t, w, e) = (&self.segments, &self.straight, &self.walls, &self.explored);
         vec![
             ("clutter.radius", self.clutter.radius, 0.0..=1.0),
             ("clutter.extent", self.clutter.extent, 0.0..=1e4),
@@ -80,6 +91,36 @@ impl Params {
             ("affinity.sigma", self.affinity.sigma, 1e-3..=100.0),
             ("rooms.epsilon", self.rooms.epsilon, 0.0..=2.0),
             ("partial.weight", self.partial.weight, 0.0..=1.0),
+            ("furniture.area", self.furniture.area, 0.0..=1e3),
+            ("furniture.extent", self.furniture.extent, 0.0..=100.0),
+            ("furniture.gap", self.furniture.gap, 0.0..=1.0),
+            ("furniture.reach", self.furniture.reach, 0.0..=20.0),
+            ("merge.probability", self.merge.probability, 0.0..=1.0),
+            ("merge.corridor", self.merge.corridor, 0.0..=1e6),
+            ("merge.unnarrowed", self.merge.unnarrowed, 0.0..=10.0),
+            ("merge.door", self.merge.door, 0.0..=100.0),
+            ("merge.through", self.merge.through, 0.0..=10.0),
+            ("merge.nook", self.merge.nook, 0.0..=1e4),
+            ("explored.frontier", e.frontier, 0.0..=100.0),
+            ("explored.depth", e.depth, 0.0..=5.0),
+            ("explored.gap", e.gap, 0.0..=1.0),
+            ("explored.unseen", e.unseen, 0.0..=1.0),
+            ("explored.reach", e.reach, 0.0..=50.0),
+            ("explored.row", e.row, 0.0..=1e4),
+            ("explored.door", e.door, 0.0..=10.0),
+            ("explored.smallest", e.smallest, 0.0..=1e3),
+            ("explored.support", e.support, 0.0..=1e3),
+            ("straight.tolerance", t.tolerance, 0.0..=5.0),
+            ("straight.alignment", t.alignment, 0.0..=1.0),
+            ("straight.min_share", t.min_share, 0.0..=1.0),
+            ("straight.dent_depth", t.dent_depth, 0.0..=5.0),
+            ("straight.dent_width", t.dent_width, 0.0..=10.0),
+            ("straight.min_hole", t.min_hole, 0.0..=1e4),
+            ("straight.max_wall", t.max_wall, 1e-3..=5.0),
+            ("straight.unseen_thickness", t.unseen_thickness, 1e-3..=5.0),
+            ("straight.frontier_reach", t.frontier_reach, 0.0..=5.0),
+            ("straight.min_opening", t.min_opening, 0.0..=100.0),
+            ("straight.max_door", t.max_door, 0.0..=100.0),
             ("walls.reach", w.reach, 1e-3..=5.0),
             ("walls.min_weight", w.min_weight, 0.0..=1.0),
             ("walls.unseen_thickness", w.unseen_thickness, 1e-3..=5.0),
@@ -105,19 +146,30 @@ impl Params {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
-    /// The paper's Algorithm 1.
+    /// Free space cut into basins, which merge to rooms.
     #[default]
+    Basins,
+    /// The paper's Algorithm 1.
     Paper,
 }
 
 impl Method {
     /// All methods.
-    pub const ALL: &[Self] = &[Self::Paper];
+    pub const ALL: &[Self] = &[Self::Basins, Self::Paper];
 
     /// The name as the user types it.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Basins => "basins",
             Self::Paper => "paper",
+        }
+    }
+
+    /// The steps that an observer is told of, in their order.
+    pub fn steps(self) -> &'static [Step] {
+        match self {
+            Self::Basins => &Step::BASINS,
+            Self::Paper => &Step::PAPER,
         }
     }
 }

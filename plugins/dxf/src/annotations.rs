@@ -3,7 +3,7 @@
 use crate::entity::{Entity, Shape};
 use crate::layer::Layer;
 use crate::text::one_line;
-use planform_sdk::{Frontier, Opening, OpeningKind, Point, Pose, Symbol, Text};
+use planform_sdk::{Frontier, FrontierKind, Opening, OpeningKind, Point, Pose, Symbol, Text};
 
 /// Height of letters where the document gives none, metres.
 const LETTER_HEIGHT: f64 = 0.2;
@@ -25,7 +25,16 @@ pub fn opening(opening: &Opening) -> Entity {
 
 /// A frontier of a partial room.
 pub fn frontier(frontier: &Frontier) -> Entity {
-    let data = vec![("kind", "frontier".into()), ("room", frontier.room.into())];
+    let leads = match frontier.leads {
+        FrontierKind::Room => "room",
+        FrontierKind::Space => "space",
+    };
+    let data = vec![
+        ("kind", "frontier".into()),
+        ("room", frontier.room.into()),
+        ("leads", leads.into()),
+        ("area", frontier.area.into()),
+    ];
     Entity { layer: Layer::Frontier, shape: Shape::Line(frontier.segment), data }
 }
 

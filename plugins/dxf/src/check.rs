@@ -21,6 +21,7 @@ pub fn check(layout: &Layout, boundary: Boundary) -> Checked {
     }
     for (i, frontier) in layout.frontiers.iter().enumerate() {
         segment(&frontier.segment, || format!("frontier {}", i + 1))?;
+        numbers(&[frontier.area], || format!("frontier {}", i + 1))?;
     }
     for (i, text) in layout.texts.iter().enumerate() {
         placed(&text.pose, &[text.width, text.height, text.confidence], || format!("text {}", i + 1))?;

@@ -35,6 +35,8 @@
 //! | `ring` | rooms | `outer` or `hole` |
 //! | `state` | rooms | `complete` or `partial` |
 //! | `area` | rooms | net area of the whole room in square metres: outer ring less holes |
+//! | `leads` | frontiers | `room` (to the rest of the room) or `space` (to new space) |
+//! | `area` | frontiers | estimate of the area behind it in square metres; 0 is none |
 //! | `name` | rooms with a name | the name |
 //! | `wall` | walls | the wall's number, from 1: the pieces between openings share it |
 //! | `thickness` | walls | metres |

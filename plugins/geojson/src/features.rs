@@ -3,8 +3,8 @@
 use crate::frame::Frame;
 use geojson::{Feature, Geometry, GeometryValue, feature::Id};
 use planform_sdk::{
-    Boundary, ErrorKind, Frontier, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon, Pose,
-    RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall, ring_signed_area,
+    Boundary, ErrorKind, Frontier, FrontierKind, Layout, Opening, OpeningKind, Options, PluginError, Point,
+    Polygon, Pose, RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall, ring_signed_area,
 };
 use serde_json::{Value, json};
 
@@ -60,7 +60,13 @@ fn opening(number: usize, opening: &Opening, frame: &Frame) -> Made {
 }
 
 fn frontier(number: usize, frontier: &Frontier, frame: &Frame) -> Made {
-    let properties = json!({"kind": "frontier", "room": frontier.room});
+    let leads = match frontier.leads {
+        FrontierKind::Room => "room",
+        FrontierKind::Space => "space",
+    };
+    let properties = json!({
+        "kind": "frontier", "room": frontier.room, "leads": leads, "area": measure(frontier.area),
+    });
     along(format!("frontier-{number}"), &frontier.segment, properties, frame)
 }
 

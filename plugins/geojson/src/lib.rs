@@ -7,7 +7,7 @@
 //! | `room` | Polygon | `room` (its number), `name`, `state` (`complete`, `partial`), `area` (floor, m²) |
 //! | `wall` | LineString | `thickness` (m), `weight` (0 to 1), `left` and `right` (room numbers, null is outside) |
 //! | `door`, `passage` | LineString | `width` (m), `rooms` (two numbers) |
-//! | `frontier` | LineString | `room` |
+//! | `frontier` | LineString | `room`, `leads` (`room`: to the rest of its room, `space`: to new space), `area` (behind it, m²; 0 is no estimate) |
 //! | `line` | LineString | `support` (m); only with the option `lines` |
 //! | `text` | Point | `text`, `yaw` (degrees), `width`, `height` (m), `confidence` |
 //! | `symbol` | Point | `symbol`, `yaw` (degrees), `width`, `height` (m), `score` |

@@ -121,6 +121,24 @@ pub struct Frontier {
     /// The partial room it belongs to.
     #[schemars(range(min = 1))]
     pub room: RoomId,
+    /// Where it leads.
+    #[serde(default)]
+    pub leads: FrontierKind,
+    /// An estimate of the area behind it, square metres; 0 is none.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub area: f64,
+}
+
+/// Where a frontier leads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum FrontierKind {
+    /// To the rest of its room, whose outline is known or estimated: who goes there finds no other room.
+    Room,
+    /// To space of which nothing is known.
+    #[default]
+    Space,
 }
 
 /// A line along which walls are aligned, clipped to the building's surroundings.

@@ -33,8 +33,8 @@ pub use exporter::{Document, Exporter, WriteFn, exporter};
 pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};
 pub use layout::{
-    Frontier, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph, RoomId,
-    RoomState, Wall,
+    Frontier, FrontierKind, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph,
+    RoomId, RoomState, Wall,
 };
 pub use options::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
 pub use scene::{Annotations, GeoAnchor, Provenance, Scene, Symbol, Text};

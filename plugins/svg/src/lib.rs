@@ -15,7 +15,7 @@
 //! | `rooms` | a path for each, id `room-1`, class `room complete` or `room partial`, `data-id`, `data-name`, `data-area` (floor, m²) |
 //! | `walls` | a line for each, id `wall-1`, class `wall` and `strong`, `medium` or `weak` by thirds of its `data-weight` |
 //! | `doors` | a group for each opening, id `opening-1`, class `door` or `passage`, `data-rooms`, `data-width` (m) |
-//! | `frontiers` | dashed lines, id `frontier-1`, `data-room` |
+//! | `frontiers` | dashed lines, id `frontier-1`, `data-room`, `data-leads` (`room`, `space`), `data-area` (behind it, m²; 0 is no estimate) |
 //! | `symbols` | the document's symbols, id `symbol-1`, `data-kind`, `data-score` |
 //! | `texts` | the document's texts, id `text-1`; those that a label repeats have the class `named` and are hidden |
 //! | `labels` | name or number, and floor area, of each room, id `label-1`; not with the option `labels=false` |

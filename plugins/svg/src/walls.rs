@@ -3,7 +3,7 @@
 use crate::element::{layer, number, title};
 use crate::sheet::Sheet;
 use crate::spot::distance_to_segment;
-use planform_sdk::{Frontier, Layout, Opening, OpeningKind, Point, RoomId, Segment, Wall};
+use planform_sdk::{Frontier, FrontierKind, Layout, Opening, OpeningKind, Point, RoomId, Segment, Wall};
 use std::collections::BTreeMap;
 use svg::node::element::{Group, Line, Path};
 
@@ -134,10 +134,27 @@ pub fn frontiers(layout: &Layout, sheet: &Sheet) -> Group {
 }
 
 fn frontier(number_of: usize, frontier: &Frontier, sheet: &Sheet) -> Line {
+    let leads = match frontier.leads {
+        FrontierKind::Room => "room",
+        FrontierKind::Space => "space",
+    };
     line(&frontier.segment, sheet)
         .set("id", format!("frontier-{number_of}"))
         .set("class", "frontier")
         .set("data-room", frontier.room)
+        .set("data-leads", leads)
+        .set("data-area", number(frontier.area))
+        .add(title(&description(frontier)))
+}
+
+/// What a pointer that rests on the frontier shows.
+fn description(frontier: &Frontier) -> String {
+    let room = frontier.room;
+    let whither = match frontier.leads {
+        FrontierKind::Room => format!("frontier to the rest of room {room}"),
+        FrontierKind::Space => format!("frontier of room {room} to new space"),
+    };
+    if frontier.area > 0.0 { format!("{whither}, about {:.1} m²", frontier.area) } else { whither }
 }
 
 #[cfg(test)]

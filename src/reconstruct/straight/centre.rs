@@ -31,6 +31,7 @@ pub fn centres(
     if fall_back(&mut centres, floors) {
         inner::part(&mut centres, &own);
     }
+    inner::separate(&mut centres, &own);
     centres
 }
 

@@ -69,8 +69,8 @@ impl Default for Straight {
             dent_depth: 0.5,
             dent_width: 1.0,
             min_hole: 2.0,
-            max_wall: 0.9,
-            unseen_thickness: 0.2,
+            max_wall: 1.2,
+            unseen_thickness: 0.3,
             frontier_reach: 0.3,
             min_opening: 0.5,
             max_door: 2.1,
@@ -148,6 +148,11 @@ impl Labelled<'_> {
         let at = self.free.index(column, row).and_then(|i| label.get(i));
         at.copied().filter(|&l| l as usize <= self.rooms).unwrap_or(0)
     }
+}
+
+/// The building's main directions: angles in [0, pi), by rising angle.
+pub fn directions(input: &Labelled<'_>, params: &Straight) -> Vec<f64> {
+    plan::directions(input, params)
 }
 
 /// The plan of the rooms.

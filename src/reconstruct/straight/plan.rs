@@ -18,8 +18,8 @@ const REACH: f64 = 4.0;
 
 /// See [`super::plan`].
 pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
-    let tolerance = params.tolerance.max(1.5 * input.resolution);
-    let main = bearings::main(&tracks(input, tolerance), input, tolerance, params);
+    let tolerance = tolerance(input, params);
+    let main = directions(input, params);
     let mut label = input.label.to_vec();
     let doorways = doorways::take(input, &main, params.max_wall, &mut label);
     let rooms = cells(input, &label, params);
@@ -37,6 +37,16 @@ pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
     let rooms = floors.into_iter().zip(centres);
     let rooms = rooms.map(|(f, c)| f.zip(c).map(|(floor, centre)| RoomPlan { floor, centre })).collect();
     Plan { rooms, walls, openings, frontiers }
+}
+
+/// See [`super::directions`].
+pub fn directions(input: &Labelled<'_>, params: &Straight) -> Vec<f64> {
+    let tolerance = tolerance(input, params);
+    bearings::main(&tracks(input, tolerance), input, tolerance, params)
+}
+
+fn tolerance(input: &Labelled<'_>, params: &Straight) -> f64 {
+    params.tolerance.max(1.5 * input.resolution)
 }
 
 /// The cells of each room's floor; of a room that is all doorway, all.
@@ -88,6 +98,7 @@ impl Drawing<'_> {
             .map(|c| c.as_ref().map_or_else(Polygon::default, |c| self.exact(&c.rings())))
             .collect();
         inner::part(&mut floors, &exact);
+        inner::separate(&mut floors, &exact);
         floors
     }
 

@@ -57,7 +57,7 @@ impl Raster {
     }
 
     fn plan(&self) -> Plan {
-        self.plan_with(&Straight::default())
+        self.plan_with(&Straight { unseen_thickness: 0.2, ..Straight::default() })
     }
 }
 
@@ -342,7 +342,7 @@ proptest! {
         sound(&plan);
         prop_assert_eq!(&plan, &raster.plan_with(&params));
         for wall in &plan.walls {
-            prop_assert!(wall.thickness <= 0.9 + 1e-9 && wall.line.length() > 0.0, "{wall:?}");
+            prop_assert!(wall.thickness <= params.max_wall + 1e-9 && wall.line.length() > 0.0, "{wall:?}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Layouts to write, and the writing.
 
 use planform_sdk::{
-    Document, Frontier, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon, Pose, Room,
-    RoomState, Segment, Symbol, Text, Wall,
+    Document, Frontier, FrontierKind, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon,
+    Pose, Room, RoomState, Segment, Symbol, Text, Wall,
 };
 
 pub const VERSIONS: [&str; 4] = ["R12", "R2000", "R2013", "R2018"];
@@ -105,7 +105,12 @@ pub fn flat() -> Layout {
             opening(OpeningKind::Passage, [7.0, 4.0], [9.0, 4.0], [2, 4]),
             opening(OpeningKind::Door, [10.0, 2.0], [10.0, 2.9], [2, 5]),
         ],
-        frontiers: vec![Frontier { segment: segment([13.0, 0.1], [13.0, 3.9]), room: 5 }],
+        frontiers: vec![Frontier {
+            segment: segment([13.0, 0.1], [13.0, 3.9]),
+            room: 5,
+            leads: FrontierKind::Room,
+            area: 4.5,
+        }],
         texts: vec![Text {
             content: "Flat Nº 7 ≈ 90 m²".into(),
             pose: Pose { x: 3.0, y: -0.8, yaw: 0.0 },

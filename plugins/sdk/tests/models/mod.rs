@@ -1,8 +1,8 @@
 //! Scenes and layouts of every kind, with every field set in some.
 
 use planform_sdk::{
-    Annotations, Cell, Frontier, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon, Pose,
-    Provenance, RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall,
+    Annotations, Cell, Frontier, FrontierKind, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon,
+    Pose, Provenance, RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall,
 };
 use proptest::collection::vec;
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
@@ -110,16 +110,26 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn frontier()(
+        segment in segment(),
+        room: u32,
+        leads in prop_oneof![Just(FrontierKind::Room), Just(FrontierKind::Space)],
+        area in number(),
+    ) -> Frontier {
+        Frontier { segment, room, leads, area }
+    }
+}
+
+prop_compose! {
     pub fn layout()(
         rooms in vec(room(), 0..4),
         walls in vec(wall(), 0..4),
         openings in vec(opening(), 0..4),
-        frontiers in vec((segment(), any::<u32>()), 0..3),
+        frontiers in vec(frontier(), 0..3),
         lines in vec((segment(), number()), 0..3),
         notes in annotations(),
         method in string(),
     ) -> Layout {
-        let frontiers = frontiers.into_iter().map(|(segment, room)| Frontier { segment, room }).collect();
         let lines = lines.into_iter().map(|(segment, support)| RepresentativeLine { segment, support });
         let Annotations { texts, symbols, anchor, provenance, warnings: _ } = notes;
         Layout {

@@ -1,0 +1,126 @@
+//! The clearance of every free cell: how far the nearest cell is that is not free, and which one that is.
+//!
+//! An exact Euclidean distance transform in two passes (Meijster, Roerdink and Hesselink, "A General Algorithm for
+//! Computing Distance Transforms in Linear Time", 2000).
+
+use super::space::Space;
+
+/// The clearance of the free space.
+pub struct Clearance {
+    /// Metres from each cell's middle to that of the nearest cell that is not free; 0 for such cells.
+    pub metres: Vec<f32>,
+    /// Index of the nearest cell that is not free.
+    pub nearest: Vec<u32>,
+}
+
+/// Measures the clearance of a space.
+pub fn measure(space: &Space) -> Clearance {
+    let rows = nearest_in_column(space);
+    let mut metres = vec![0.0; space.free.len()];
+    let mut nearest: Vec<u32> = (0..space.free.len() as u32).collect();
+    let mut envelope = Envelope::default();
+    for row in 0..space.height {
+        let cells = row * space.width..(row + 1) * space.width;
+        if !space.free[cells.clone()].contains(&true) {
+            continue;
+        }
+        let away: Vec<i64> =
+            rows[cells.clone()].iter().map(|&r| (i64::from(r) - row as i64).pow(2)).collect();
+        envelope.build(&away);
+        for (column, i) in cells.clone().enumerate() {
+            if space.free[i] {
+                let (from, square) = envelope.lowest(column, &away);
+                metres[i] = ((square as f64).sqrt() * space.resolution) as f32;
+                nearest[i] = rows[cells.start + from] * space.width as u32 + from as u32;
+            }
+        }
+    }
+    Clearance { metres, nearest }
+}
+
+/// For each cell the row of the nearest cell of its column that is not free. The border of a space is not free, so
+/// there always is one.
+fn nearest_in_column(space: &Space) -> Vec<u32> {
+    let (width, height) = (space.width, space.height);
+    let mut rows = vec![0u32; width * height];
+    for i in width..rows.len() {
+        rows[i] = if space.free[i] { rows[i - width] } else { (i / width) as u32 };
+    }
+    for i in (0..rows.len() - width).rev() {
+        let row = (i / width) as u32;
+        let above = rows[i + width];
+        // Below the cell `rows` is final, above it still may name a cell beneath.
+        if space.free[i] && above > row && above - row < row - rows[i] {
+            rows[i] = above;
+        }
+    }
+    rows
+}
+
+/// The lower envelope of the parabolas `away[i] + (x - i)^2`.
+#[derive(Default)]
+struct Envelope {
+    /// The parabolas of the envelope: apex, and the first column where it is the lowest.
+    parts: Vec<(usize, i64)>,
+    at: usize,
+}
+
+impl Envelope {
+    fn build(&mut self, away: &[i64]) {
+        self.parts.clear();
+        self.at = 0;
+        for u in 0..away.len() {
+            let value = |i: usize, x: i64| away[i] + (x - i as i64).pow(2);
+            while self.parts.last().is_some_and(|&(i, from)| value(i, from) > value(u, from)) {
+                self.parts.pop();
+            }
+            match self.parts.last() {
+                None => self.parts.push((u, 0)),
+                Some(&(i, _)) => {
+                    let (a, b) = (i as i64, u as i64);
+                    let from = (b * b - a * a + away[u] - away[i]).div_euclid(2 * (b - a)) + 1;
+                    if from < away.len() as i64 {
+                        self.parts.push((u, from));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The parabola that is lowest at a column, and its value there. Columns are asked for in rising order.
+    fn lowest(&mut self, column: usize, away: &[i64]) -> (usize, i64) {
+        while self.parts.get(self.at + 1).is_some_and(|p| p.1 <= column as i64) {
+            self.at += 1;
+        }
+        let apex = self.parts[self.at].0;
+        (apex, away[apex] + (column as i64 - apex as i64).pow(2))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::space::tests::space;
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn it_is_the_distance_to_the_nearest_cell_that_is_not_free(
+            bits in prop::collection::vec(prop::bool::weighted(0.8), 15 * 11)
+        ) {
+            let rows: Vec<String> =
+                bits.chunks(15).map(|r| r.iter().map(|&b| if b { '.' } else { '#' }).collect()).collect();
+            let space = space(&rows.iter().map(String::as_str).collect::<Vec<_>>(), 1.0);
+            let clearance = measure(&space);
+            let at = |i: usize| ((i % space.width) as f64, (i / space.width) as f64);
+            let distance = |i: usize, j: usize| (at(i).0 - at(j).0).hypot(at(i).1 - at(j).1);
+            for i in 0..space.free.len() {
+                let walls = (0..space.free.len()).filter(|&j| !space.free[j]);
+                let truth = walls.map(|j| distance(i, j)).fold(f64::MAX, f64::min);
+                let nearest = clearance.nearest[i] as usize;
+                prop_assert!((f64::from(clearance.metres[i]) - truth).abs() < 1e-4);
+                prop_assert!(!space.free[nearest] && (distance(i, nearest) - truth).abs() < 1e-9);
+            }
+        }
+    }
+}

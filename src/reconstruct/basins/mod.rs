@@ -1,0 +1,114 @@
+//! The method `basins`: free space cut into basins, basins merged to rooms by the evidence of walls, clearance and
+//! shape.
+//!
+//! Rooms are what people divide by doors, and doors are where free space is narrow: nearly every true boundary
+//! between rooms lies on a boundary between two basins of the clearance. Which of them do is decided jointly: the
+//! basins are merged pair by pair, the surest first, and every merge changes the evidence on the boundaries around.
+
+mod aligned;
+pub mod clearance;
+pub mod evidence;
+pub mod explored;
+pub mod hull;
+mod layout;
+pub mod merge;
+pub mod model;
+pub mod passage;
+mod pockets;
+pub mod regions;
+pub mod space;
+pub mod watershed;
+mod weights;
+
+use super::Params;
+use super::raster::Mask;
+use clearance::Clearance;
+use passage::View;
+use planform_sdk::{Cell, Grid};
+use regions::Regions;
+use space::Space;
+use watershed::Basins;
+
+pub use explored::Explored;
+pub use layout::reconstruct;
+pub use merge::Merge;
+pub use space::Furniture;
+
+/// A map's free space cut into basins.
+pub struct Cut {
+    /// The free space.
+    pub space: Space,
+    /// Its clearance.
+    pub clearance: Clearance,
+    /// Its basins.
+    pub basins: Basins,
+}
+
+/// A room is at least this large, square metres.
+const SMALLEST: f64 = 0.5;
+
+/// Cells that no room owns go to the nearest one within this distance, metres.
+const NEAR: f64 = 0.6;
+
+impl Cut {
+    /// Cuts the free space of a grid, if it has any.
+    pub fn of_grid(grid: &Grid, params: &Params) -> Option<Self> {
+        let is_free = |c: Cell| c.occupancy().is_some_and(|o| o <= params.contour.free);
+        let free = Mask::of_grid(grid, is_free);
+        Space::of_mask(&free, grid.resolution(), &params.furniture).map(Self::of_space)
+    }
+
+    /// Cuts a space.
+    pub fn of_space(space: Space) -> Self {
+        let clearance = clearance::measure(&space);
+        let basins = watershed::cut(&space, &clearance);
+        Self { space, clearance, basins }
+    }
+
+    /// What the evidence is read from.
+    pub fn view(&self) -> View<'_> {
+        View::new(&self.space, &self.clearance)
+    }
+
+    /// The room of every cell of the space, from 1; 0 is none. `grow`: also of cells that are not free.
+    pub fn labels(&self, regions: &Regions<'_>, grow: bool) -> Vec<u32> {
+        let mut numbers = vec![0; self.basins.count as usize + 1];
+        let rooms = regions.all().filter(|(_, r)| r.area >= SMALLEST);
+        for ((_, region), number) in rooms.zip(1..) {
+            for &basin in &region.basins {
+                numbers[basin as usize] = number;
+            }
+        }
+        let labels: Vec<u32> = self.basins.label.iter().map(|&b| numbers[b as usize]).collect();
+        if grow { self.space.grown(&labels, NEAR) } else { labels }
+    }
+
+    /// Values of the grid's cells brought to the cells of the space; 0 on its border.
+    pub fn on_space(&self, grid: &Grid, values: &[u32]) -> Vec<u32> {
+        let (space, k) = (&self.space, self.space.fineness);
+        let mut out = vec![0; space.free.len()];
+        for row in 1..space.height - 1 {
+            for column in 1..space.width - 1 {
+                let (x, y) = ((column - 1) / k + space.corner.0, (row - 1) / k + space.corner.1);
+                out[row * space.width + column] = values[y * grid.width() as usize + x];
+            }
+        }
+        out
+    }
+
+    /// Values of the space's cells brought back to the cells of the grid.
+    pub fn on_grid(&self, grid: &Grid, values: &[u32]) -> Vec<u32> {
+        let (space, k) = (&self.space, self.space.fineness);
+        let (width, height) = (grid.width() as usize, grid.height() as usize);
+        let mut out = vec![0; width * height];
+        for (i, o) in out.iter_mut().enumerate() {
+            let (column, row) = ((i % width) as i64, (i / width) as i64);
+            let at = |v: i64, corner: usize| (v - corner as i64) * k as i64 + (k / 2) as i64 + 1;
+            let (x, y) = (at(column, space.corner.0), at(row, space.corner.1));
+            if (0..space.width as i64).contains(&x) && (0..space.height as i64).contains(&y) {
+                *o = values[y as usize * space.width + x as usize];
+            }
+        }
+        out
+    }
+}

@@ -1,0 +1,268 @@
+//! The graph of regions: basins of the free space that grow together to rooms, and the boundaries between them.
+
+use super::hull::Hull;
+use super::passage::{Passage, View};
+use super::watershed::Basins;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Walls up to twice this thickness have a region on either side, metres.
+const WALL: f64 = 0.35;
+
+/// A region: one basin or several.
+#[derive(Debug, Clone, Default)]
+pub struct Region {
+    /// Square metres.
+    pub area: f64,
+    /// The largest clearance, metres.
+    pub clearance: f64,
+    /// The sum of the clearance over its cells; metres.
+    pub total_clearance: f64,
+    /// The hull of its cells, and the hull's area in square metres.
+    pub hull: Hull,
+    /// Area of the hull, square metres.
+    pub hull_area: f64,
+    /// Its basins.
+    pub basins: Vec<u32>,
+    /// How many cells it has.
+    cells: usize,
+    /// The regions that it meets.
+    pub beside: BTreeSet<u32>,
+    /// Metres of wall that it shares with other regions.
+    walls: BTreeMap<u32, f64>,
+}
+
+impl Region {
+    /// Length over width of a strip that has the region's area and mean clearance.
+    pub fn elongation(&self) -> f64 {
+        let mean = self.mean_clearance();
+        self.area / (16.0 * mean * mean + 1e-3)
+    }
+
+    /// The mean clearance: a quarter of the width of a strip, a sixth of the side of a square. Metres.
+    pub fn mean_clearance(&self) -> f64 {
+        self.total_clearance / self.cells.max(1) as f64
+    }
+}
+
+/// The boundary between two regions.
+#[derive(Debug, Clone, Default)]
+struct Boundary {
+    cells: Vec<u32>,
+    passages: Option<Vec<Passage>>,
+}
+
+/// The graph.
+pub struct Regions<'a> {
+    view: &'a View<'a>,
+    /// The region of each name; one that was merged has no basins left.
+    regions: Vec<Region>,
+    boundaries: BTreeMap<(u32, u32), Boundary>,
+}
+
+/// The two, the smaller first.
+pub fn pair(a: u32, b: u32) -> (u32, u32) {
+    (a.min(b), a.max(b))
+}
+
+impl<'a> Regions<'a> {
+    /// One region for each basin.
+    pub fn of_basins(view: &'a View<'a>, basins: &Basins) -> Self {
+        let mut graph = Self { view, regions: single_regions(view, basins), boundaries: BTreeMap::new() };
+        for (a, b, cell) in meetings(view, &basins.label, |_, _| true) {
+            graph.boundaries.entry(pair(a, b)).or_default().cells.push(cell);
+        }
+        let pairs: Vec<(u32, u32)> = graph.boundaries.keys().copied().collect();
+        for (a, b) in pairs {
+            graph.regions[a as usize].beside.insert(b);
+            graph.regions[b as usize].beside.insert(a);
+        }
+        let grown = view.space.grown(&basins.label, WALL);
+        for (a, b, _) in meetings(view, &grown, |i, j| !view.space.free[i] || !view.space.free[j]) {
+            *graph.regions[a as usize].walls.entry(b).or_default() += view.space.resolution;
+            *graph.regions[b as usize].walls.entry(a).or_default() += view.space.resolution;
+        }
+        graph
+    }
+
+    /// All regions with their names, by rising name.
+    pub fn all(&self) -> impl Iterator<Item = (u32, &Region)> {
+        (0..).zip(&self.regions).filter(|(_, r)| !r.basins.is_empty())
+    }
+
+    /// The region of this name, unless it was merged.
+    pub fn get(&self, name: u32) -> Option<&Region> {
+        self.regions.get(name as usize).filter(|r| !r.basins.is_empty())
+    }
+
+    /// The regions that one meets, by rising name.
+    pub fn beside(&self, name: u32) -> Vec<u32> {
+        self.get(name).map(|r| r.beside.iter().copied().collect()).unwrap_or_default()
+    }
+
+    /// All pairs of regions that meet, in rising order.
+    pub fn pairs(&self) -> Vec<(u32, u32)> {
+        self.boundaries.keys().copied().collect()
+    }
+
+    /// Metres per cell.
+    pub fn resolution(&self) -> f64 {
+        self.view.space.resolution
+    }
+
+    /// Metres of wall between two regions.
+    pub fn wall(&self, a: u32, b: u32) -> f64 {
+        self.get(a).and_then(|r| r.walls.get(&b)).copied().unwrap_or(0.0)
+    }
+
+    /// The passages between two regions.
+    pub fn passages(&mut self, a: u32, b: u32) -> &[Passage] {
+        let Some(boundary) = self.boundaries.get_mut(&pair(a, b)) else { return &[] };
+        boundary.passages.get_or_insert_with(|| self.view.passages(&boundary.cells))
+    }
+
+    /// Merges two regions that meet; the larger one keeps its name, which is returned.
+    pub fn merge(&mut self, a: u32, b: u32) -> Option<u32> {
+        let (kept, gone) = if self.get(a)?.area < self.get(b)?.area { (b, a) } else { (a, b) };
+        self.get(gone)?;
+        let merged = std::mem::take(&mut self.regions[gone as usize]);
+        self.boundaries.remove(&pair(a, b));
+        self.take_boundaries(kept, gone, &merged);
+        self.take_walls(kept, gone, &merged);
+        let resolution = self.view.space.resolution;
+        let region = &mut self.regions[kept as usize];
+        region.area += merged.area;
+        region.cells += merged.cells;
+        region.clearance = region.clearance.max(merged.clearance);
+        region.total_clearance += merged.total_clearance;
+        region.hull = region.hull.join(&merged.hull);
+        region.hull_area = region.hull.area() * resolution * resolution;
+        region.basins.extend(merged.basins);
+        Some(kept)
+    }
+
+    fn take_boundaries(&mut self, kept: u32, gone: u32, merged: &Region) {
+        self.regions[kept as usize].beside.remove(&gone);
+        for &other in merged.beside.iter().filter(|&&o| o != kept) {
+            let moved = self.boundaries.remove(&pair(gone, other)).unwrap_or_default();
+            match self.boundaries.entry(pair(kept, other)) {
+                std::collections::btree_map::Entry::Vacant(e) => {
+                    e.insert(moved);
+                }
+                std::collections::btree_map::Entry::Occupied(mut e) => {
+                    e.get_mut().cells.extend(moved.cells);
+                    e.get_mut().passages = None;
+                }
+            }
+            let beside = &mut self.regions[other as usize].beside;
+            beside.remove(&gone);
+            beside.insert(kept);
+            self.regions[kept as usize].beside.insert(other);
+        }
+    }
+
+    fn take_walls(&mut self, kept: u32, gone: u32, merged: &Region) {
+        self.regions[kept as usize].walls.remove(&gone);
+        for (&other, &length) in merged.walls.iter().filter(|w| *w.0 != kept) {
+            let walls = &mut self.regions[other as usize].walls;
+            walls.remove(&gone);
+            *walls.entry(kept).or_default() += length;
+            *self.regions[kept as usize].walls.entry(other).or_default() += length;
+        }
+    }
+}
+
+fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
+    let space = view.space;
+    let count = basins.count as usize + 1;
+    let (mut cells, mut most, mut total) = (vec![0usize; count], vec![0.0f32; count], vec![0.0f64; count]);
+    let mut border: Vec<Vec<(f64, f64)>> = vec![Vec::new(); count];
+    for (i, &l) in basins.label.iter().enumerate().filter(|(_, l)| **l != 0) {
+        let (l, clear) = (l as usize, view.clearance.metres[i]);
+        cells[l] += 1;
+        most[l] = most[l].max(clear);
+        total[l] += f64::from(clear);
+        let around = [i - 1, i + 1, i - space.width, i + space.width];
+        if around.iter().any(|&j| basins.label[j] as usize != l) {
+            let (x, y) = ((i % space.width) as f64, (i / space.width) as f64);
+            let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)];
+            border[l].extend(corners.map(|(dx, dy)| (x + dx, y + dy)));
+        }
+    }
+    let region = |l: usize| {
+        let hull = Hull::of(std::mem::take(&mut border[l]));
+        let hull_area = hull.area() * space.resolution * space.resolution;
+        Region {
+            area: space.area(cells[l]),
+            clearance: f64::from(most[l]),
+            total_clearance: total[l],
+            hull,
+            hull_area,
+            basins: vec![l as u32],
+            cells: cells[l],
+            beside: BTreeSet::new(),
+            walls: BTreeMap::new(),
+        }
+    };
+    // Basins are numbered from 1; the first region stays empty.
+    std::iter::once(Region::default()).chain((1..count).map(region)).collect()
+}
+
+/// Every place where two labels lie side by side or one above the other, with the cell on its lower left; `counts`
+/// tells which pairs of cells to look at.
+fn meetings(view: &View<'_>, label: &[u32], counts: impl Fn(usize, usize) -> bool) -> Vec<(u32, u32, u32)> {
+    let width = view.space.width;
+    let mut found = Vec::new();
+    for (i, &a) in label.iter().enumerate().filter(|(_, l)| **l != 0) {
+        // The last cell of a row has none to its right.
+        let right = (i + 1 < (i / width + 1) * width).then_some(i + 1);
+        for j in right.into_iter().chain([i + width]) {
+            let b = label.get(j).copied().unwrap_or(0);
+            if b != 0 && b != a && counts(i, j) {
+                found.push((a, b, i as u32));
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Cut;
+    use super::super::space::tests::space;
+    use super::*;
+
+    /// Three rooms of 3 m in a row, with a door between each two.
+    fn three() -> Cut {
+        let room = ".".repeat(30);
+        let (wall, door) = (format!("{room}#{room}#{room}"), ".".repeat(92));
+        let mut rows = vec![wall.as_str(); 11];
+        rows.extend([door.as_str(); 8]);
+        rows.extend(vec![wall.as_str(); 11]);
+        Cut::of_space(space(&rows, 0.1))
+    }
+
+    #[test]
+    fn merged_regions_share_what_they_had() {
+        let cut = three();
+        let view = cut.view();
+        let mut regions = Regions::of_basins(&view, &cut.basins);
+        assert_eq!(regions.pairs().len(), 2);
+        let total: f64 = regions.all().map(|(_, r)| r.area).sum();
+        let middle = regions.all().find(|(_, r)| r.beside.len() == 2).map(|(name, _)| name).unwrap();
+        let [a, b] = regions.get(middle).unwrap().beside.iter().copied().collect::<Vec<_>>()[..] else {
+            panic!("the room in the middle has two neighbours")
+        };
+        assert!((regions.wall(a, middle) - 2.2).abs() < 0.3, "{}", regions.wall(a, middle));
+        let both = regions.get(a).unwrap().area + regions.get(middle).unwrap().area;
+        let kept = regions.merge(a, middle).unwrap();
+        assert_eq!(regions.pairs(), [pair(kept, b)]);
+        assert!((regions.get(kept).unwrap().area - both).abs() < 1e-9);
+        assert!((regions.wall(kept, b) - 2.2).abs() < 0.3, "{}", regions.wall(kept, b));
+        assert_eq!(regions.passages(kept, b).len(), 1);
+        assert_eq!(regions.merge(a, middle), None);
+        regions.merge(kept, b);
+        let left: Vec<_> = regions.all().map(|(_, r)| (r.area, r.basins.len())).collect();
+        assert_eq!((left.len(), left[0].1), (1, cut.basins.count as usize));
+        assert!((left[0].0 - total).abs() < 1e-9);
+    }
+}
