@@ -24,7 +24,7 @@ pub struct Furniture {
 
 impl Default for Furniture {
     fn default() -> Self {
-        Self { area: 1.75, extent: 3.0, gap: 0.2, reach: 1.5 }
+        Self { area: 2.2, extent: 3.0, gap: 0.2, reach: 1.5 }
     }
 }
 

@@ -64,7 +64,7 @@ impl Default for Straight {
     fn default() -> Self {
         Self {
             tolerance: 0.15,
-            alignment: 0.5,
+            alignment: 0.25,
             min_share: 0.05,
             dent_depth: 0.5,
             dent_width: 1.0,
