@@ -17,6 +17,7 @@ mod furniture;
 mod house;
 mod lattice;
 mod obstacles;
+mod parallel;
 mod params;
 mod partition;
 mod raster;
@@ -33,6 +34,7 @@ mod wing;
 
 pub use building::Building;
 pub use fixtures::{SimpleParams, corridor_with_rooms, simple, two_rooms};
+pub use parallel::parallel_map;
 pub use params::{BuildingParams, RoomKind, Size};
 pub use raster::{Labels, Outline};
 pub use sample::Sample;

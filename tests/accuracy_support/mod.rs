@@ -10,6 +10,7 @@ use geo::{Area, BooleanOps, BoundingRect, Intersects, LineString};
 use planform::evaluate::RoomShape;
 use planform::reconstruct::{Params, reconstruct};
 use planform_sdk::{Grid, Layout, Point, Polygon, Provenance, Room, Scene};
+use planform_synth::parallel_map;
 
 /// The layout of a grid, with default parameters.
 pub fn layout_of(grid: Grid) -> Layout {
@@ -51,14 +52,5 @@ pub fn coverage(these: &[geo::Polygon<f64>], those: &[geo::Polygon<f64>]) -> f64
 /// Calls `work` for every seed, on all processors; the results in the seeds' order.
 pub fn for_seeds<T: Send>(seeds: impl IntoIterator<Item = u64>, work: impl Fn(u64) -> T + Sync) -> Vec<T> {
     let seeds: Vec<u64> = seeds.into_iter().collect();
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get());
-    let next = std::sync::atomic::AtomicUsize::new(0);
-    let turn = || seeds.get(next.fetch_add(1, std::sync::atomic::Ordering::Relaxed));
-    let worker = || std::iter::from_fn(turn).map(|&seed| (seed, work(seed))).collect::<Vec<_>>();
-    let mut done: Vec<(u64, T)> = std::thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(worker)).collect();
-        workers.into_iter().flat_map(|w| w.join().unwrap()).collect()
-    });
-    done.sort_by_key(|d| d.0);
-    done.into_iter().map(|d| d.1).collect()
+    parallel_map(&seeds, |&seed| work(seed))
 }

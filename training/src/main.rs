@@ -2,7 +2,6 @@
 
 mod fit;
 mod maps;
-mod parallel;
 mod samples;
 mod score;
 mod weights;
@@ -13,6 +12,7 @@ use planform::evaluate::Measures;
 use planform::reconstruct::Params;
 use planform::reconstruct::basins::evidence::COUNT;
 use planform::reconstruct::basins::model::Model;
+use planform_synth::parallel_map;
 use samples::{Lesson, Sample};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -65,7 +65,7 @@ fn run(args: &Args) -> Result<(), String> {
         return Ok(());
     }
     let drawn = |seeds: std::ops::RangeInclusive<u64>| -> Result<Vec<Map>, String> {
-        parallel::map(&seeds.collect::<Vec<_>>(), |&seed| maps::synthetic(seed)).into_iter().collect()
+        parallel_map(&seeds.collect::<Vec<_>>(), |&seed| maps::synthetic(seed)).into_iter().collect()
     };
     let learned = drawn(1..=args.buildings)?;
     let model = learn(&self::lessons(&learned));
@@ -100,12 +100,12 @@ fn checked(args: &Args) -> Result<Vec<Map>, String> {
 }
 
 fn lessons(maps: &[Map]) -> Vec<Lesson<'_>> {
-    parallel::map(maps, Lesson::of).into_iter().flatten().collect()
+    parallel_map(maps, Lesson::of).into_iter().flatten().collect()
 }
 
 /// Learns in two rounds: on the way of a rough guess, then on the way of what was learned there as well.
 fn learn(lessons: &[Lesson<'_>]) -> Model {
-    let of = |model: &Model| parallel::map(lessons, |l| l.samples(model)).concat();
+    let of = |model: &Model| parallel_map(lessons, |l| l.samples(model)).concat();
     let mut samples = of(&guess());
     samples.extend(of(&fit::fit(&samples.iter().collect::<Vec<_>>())));
     fit::fit(&samples.iter().collect::<Vec<_>>())
@@ -120,7 +120,7 @@ fn guess() -> Model {
 
 fn scores<'a>(lessons: &[&'a Lesson<'a>], model: &Model) -> Vec<(&'a Map, Measures)> {
     let params = Params::default();
-    parallel::map(lessons, |l| (l.map, score::score(l, model, &params)))
+    parallel_map(lessons, |l| (l.map, score::score(l, model, &params)))
 }
 
 fn cross_validated<'a>(lessons: &'a [Lesson<'a>]) -> Vec<(&'a Map, Measures)> {
@@ -129,13 +129,13 @@ fn cross_validated<'a>(lessons: &'a [Lesson<'a>]) -> Vec<(&'a Map, Measures)> {
     buildings.dedup();
     let fold: BTreeMap<&str, usize> = buildings.iter().enumerate().map(|(i, b)| (*b, i % FOLDS)).collect();
     let of = |l: &Lesson<'_>| fold[l.map.building.as_str()];
-    let first: Vec<Vec<Sample>> = parallel::map(lessons, |l| l.samples(&guess()));
+    let first: Vec<Vec<Sample>> = parallel_map(lessons, |l| l.samples(&guess()));
     let mut found = Vec::new();
     for k in 0..FOLDS {
         let mine = |i: &usize| of(&lessons[*i]) != k;
         let train: Vec<usize> = (0..lessons.len()).filter(mine).collect();
         let rough = fit::fit(&train.iter().flat_map(|&i| &first[i]).collect::<Vec<_>>());
-        let second = parallel::map(&train, |&i| lessons[i].samples(&rough));
+        let second = parallel_map(&train, |&i| lessons[i].samples(&rough));
         let samples = train.iter().flat_map(|&i| &first[i]).chain(second.iter().flatten());
         let model = fit::fit(&samples.collect::<Vec<_>>());
         let test: Vec<&Lesson<'_>> = lessons.iter().filter(|l| of(l) == k).collect();

@@ -95,26 +95,32 @@ struct Behind {
 
 /// Tells partial rooms from complete ones and completes them. `main` are the building's directions.
 pub fn explore(input: &Labelled<'_>, main: &[f64], straight: &Straight, params: &Explored) -> Knowledge {
-    let lines: Vec<Lines> = frames(main).into_iter().map(|f| Lines::of(input, f)).collect();
+    let lines_of = |seen: &Labelled<'_>| -> Vec<Lines> {
+        frames(main).into_iter().map(|f| Lines::of(seen, f)).collect()
+    };
+    let mut lines = lines_of(input);
+    let mut runs = frontier::runs(input, &lines, params);
     let mut label = input.label.to_vec();
-    let rooms = glimpse::part(input, &mut label, &lines, params);
+    let rooms = glimpse::part(input, &mut label, &lines, &runs, params);
     let seen = Labelled { label: &label, rooms, ..*input };
-    let lines: Vec<Lines> = frames(main).into_iter().map(|f| Lines::of(&seen, f)).collect();
+    if label != input.label {
+        lines = lines_of(&seen);
+        runs = frontier::runs(&seen, &lines, params);
+    }
     let mut known = Knowledge { label: label.clone(), partial: vec![false; rooms], frontiers: Vec::new() };
-    let mut runs = frontier::runs(&seen, &lines, params);
     runs.retain(|r| r.length >= params.frontier);
     let sizes = sizes(&seen);
     for runs in runs.chunk_by(|a, b| a.room == b.room) {
         let room = runs[0].room;
         let Some(lines) = lines::sharpest(&lines, room) else { continue };
-        let mut label = known.label.clone();
-        let behind = complete(&seen, &mut label, runs, lines, straight.unseen_thickness, params);
+        let behind = complete(&seen, &mut known.label, runs, lines, straight.unseen_thickness, params);
         let added = behind.iter().map(|b| b.cells.len()).sum::<usize>() as f64;
         let open = behind.iter().any(|b| b.extent.leads == FrontierKind::Space);
         if open || added >= params.unseen * (added + sizes[room] as f64) {
-            known.label = label;
             known.partial[room] = true;
             known.frontiers.extend(behind.iter().map(|b| b.border(input)));
+        } else {
+            behind.iter().flat_map(|b| &b.cells).for_each(|&c| known.label[c] = 0);
         }
     }
     known
@@ -125,7 +131,7 @@ impl Behind {
         let added = self.cells.len() as f64 * input.resolution * input.resolution;
         Border {
             room: self.run.room,
-            segment: self.run.chord(input.resolution, input.free.width()),
+            segment: self.run.chord(input),
             leads: self.extent.leads,
             area: if self.extent.leads == FrontierKind::Room { added } else { self.extent.area },
         }

@@ -3,7 +3,6 @@
 use super::extend::Extent;
 use super::field::{Field, Shown};
 use super::frontier::Run;
-use std::collections::BTreeSet;
 
 /// The unknown cells in the box that hang together with the frontier, at least a wall away from other rooms.
 pub fn behind(field: &Field<'_>, run: &Run, extent: &Extent, wall: f64) -> Vec<usize> {
@@ -18,17 +17,9 @@ pub fn behind(field: &Field<'_>, run: &Run, extent: &Extent, wall: f64) -> Vec<u
         let other = |c, r| matches!(field.cell(c, r), Shown::Room(l) if l != own);
         !(-wall..=wall).any(|dy| (-wall..=wall).any(|dx| other(c + dx, r + dy)))
     };
-    let mut found = BTreeSet::new();
-    let mut open = run.cells.clone();
-    while let Some(at) = open.pop() {
-        let (c, r) = ((at % width) as i64, (at / width) as i64);
-        for (x, y) in [(c + 1, r), (c - 1, r), (c, r + 1), (c, r - 1)] {
-            let Some(i) = field.input.free.index(x, y) else { continue };
-            if field.cell(x, y) == Shown::Unknown && inside(i) && !found.contains(&i) && parted((x, y)) {
-                found.insert(i);
-                open.push(i);
-            }
-        }
-    }
+    let at = |i: usize| ((i % width) as i64, (i / width) as i64);
+    let unknown = |i: usize| field.cell(at(i).0, at(i).1) == Shown::Unknown;
+    let mut found = field.flood(&run.cells, |i| unknown(i) && inside(i) && parted(at(i)));
+    found.retain(|c| run.cells.binary_search(c).is_err());
     found.into_iter().collect()
 }

@@ -2,9 +2,9 @@
 
 use super::super::super::straight::Labelled;
 use super::Explored;
-use super::field::{Field, Shown, Side};
+use super::field::{Field, Shown, Side, middle};
 use super::lines::{self, Lines};
-use planform_sdk::{Point, Segment};
+use planform_sdk::Segment;
 
 /// A connected stretch of a room's border without a wall.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,12 +19,9 @@ pub struct Run {
 
 impl Run {
     /// From one end to the other, metres.
-    pub fn chord(&self, resolution: f64, width: usize) -> Segment {
-        let [a, b] = ends(&self.cells, width);
-        let at = |c: usize| {
-            Point::new(((c % width) as f64 + 0.5) * resolution, ((c / width) as f64 + 0.5) * resolution)
-        };
-        Segment::new(at(a), at(b))
+    pub fn chord(&self, input: &Labelled<'_>) -> Segment {
+        let [a, b] = ends(&self.cells, input.free.width());
+        Segment::new(middle(input, a), middle(input, b))
     }
 }
 
@@ -88,7 +85,7 @@ fn connected(input: &Labelled<'_>, open: &[bool], reach: i64) -> Vec<Run> {
         }
         cells.sort_unstable();
         let mut run = Run { room: label as usize - 1, cells, length: 0.0 };
-        run.length = run.chord(input.resolution, width).length() + input.resolution;
+        run.length = run.chord(input).length() + input.resolution;
         runs.push(run);
     }
     runs

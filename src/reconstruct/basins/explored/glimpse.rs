@@ -6,7 +6,7 @@
 use super::super::super::straight::Labelled;
 use super::Explored;
 use super::field::{Field, Side};
-use super::frontier::{self, Run};
+use super::frontier::Run;
 use super::lines::{self, Lines};
 
 /// A wall beside a door is at least this long, metres.
@@ -18,13 +18,19 @@ const BESIDE: f64 = 1.0;
 /// A glimpse begins this far beyond the wall's face, metres; at least one cell.
 const BEYOND: f64 = 0.1;
 
-/// Gives every glimpse a label of its own; how many labels there are then.
-pub fn part(input: &Labelled<'_>, label: &mut [u32], lines: &[Lines], params: &Explored) -> usize {
+/// Gives every glimpse that ends at one of the runs a label of its own; how many labels there are then.
+pub fn part(
+    input: &Labelled<'_>,
+    label: &mut [u32],
+    lines: &[Lines],
+    runs: &[Run],
+    params: &Explored,
+) -> usize {
     let mut rooms = input.rooms;
-    for run in frontier::runs(input, lines, params) {
+    for run in runs {
         let Some(lines) = lines::sharpest(lines, run.room) else { continue };
         let field = Field { input, label, frame: lines.frame };
-        let looks = Glimpses { field: &field, run: &run, lines, max_door: params.door };
+        let looks = Glimpses { field: &field, run, lines, max_door: params.door };
         let Some(cells) = looks.find() else { continue };
         let enough = cells.len() as f64 * input.resolution * input.resolution >= params.smallest;
         rooms += usize::from(enough);
@@ -72,19 +78,8 @@ impl Glimpses<'_> {
 
     /// The room's cells for which `is` holds that hang together with the frontier.
     fn cells(&self, is: impl Fn(usize) -> bool) -> Vec<usize> {
-        let (input, own) = (self.field.input, self.run.room as u32 + 1);
-        let width = input.free.width();
-        let mut found: std::collections::BTreeSet<usize> = self.run.cells.iter().copied().collect();
-        let mut open = self.run.cells.clone();
-        while let Some(at) = open.pop() {
-            let (c, r) = ((at % width) as i64, (at / width) as i64);
-            for (x, y) in [(c + 1, r), (c - 1, r), (c, r + 1), (c, r - 1)] {
-                let Some(i) = input.free.index(x, y) else { continue };
-                if self.field.label[i] == own && is(i) && found.insert(i) {
-                    open.push(i);
-                }
-            }
-        }
+        let own = self.run.room as u32 + 1;
+        let found = self.field.flood(&self.run.cells, |i| self.field.label[i] == own && is(i));
         found.into_iter().collect()
     }
 }
