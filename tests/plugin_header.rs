@@ -84,10 +84,13 @@ fn seen_by_rust() -> Vec<Shape> {
         PlanformJson { size text value }
         PlanformGrid { size width height resolution origin_x origin_y origin_yaw cells cell_count }
         PlanformText { size content x y yaw width height confidence }
-        PlanformSymbol { size kind x y yaw width height score }
+        PlanformDoorLeaf { hinge_x hinge_y closed_x closed_y open_x open_y }
+        PlanformSymbol { size kind x y yaw width height score leaves leaf_count }
         PlanformAnchor { size latitude longitude bearing x y }
+        PlanformScale { size metres_per_pixel source confidence }
+        PlanformStage { size name width height rgb rgb_length }
         PlanformProblem { size status place position message advice }
-        PlanformSceneSink { size context grid text symbol anchor warning provenance fail }
+        PlanformSceneSink { size context grid text symbol anchor warning provenance fail scale flags stage }
         PlanformAdapter { size info data probe read }
         PlanformDocument { size layout grid scene }
         PlanformOutput { size context write fail }

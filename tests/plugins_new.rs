@@ -157,7 +157,7 @@ fn layout() -> Layout {
         let holes = if id % 2 == 0 { vec![] } else { vec![square(x + 0.1, 0.2, 0.7)] };
         let floor = Polygon::new(square(x, -0.001, 1.5 + f64::from(id) / 3.0), holes);
         let name = Some((*name).to_owned()).filter(|n| !n.is_empty());
-        Room { id, name, state: RoomState::Complete, inner: floor.clone(), centre: floor }
+        Room { id, name, stated_area: None, state: RoomState::Complete, inner: floor.clone(), centre: floor }
     });
     let opening = |kind, rooms| Opening { kind, segment: Segment::default(), rooms };
     let (door, passage) = (OpeningKind::Door, OpeningKind::Passage);

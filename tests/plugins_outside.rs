@@ -6,6 +6,7 @@ mod plugin_support;
 
 use cli_support::{Workshop, text};
 use plugin_support::bad_plugin;
+use serde_json::{Value, json};
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
@@ -144,6 +145,86 @@ fn trusted_or_not_the_result_is_the_same() {
 }
 
 #[test]
+fn a_plugin_can_show_the_stages_of_its_work() {
+    let w = Workshop::new();
+    bad_plugin(&w.path("p"), "stages", "read", &[]);
+    w.write("doc.x", "stages");
+    let plain = "convert doc.x -o out.svg --force --plugin-dir p";
+    for args in [plain.to_owned(), format!("{plain} --trust-plugins")] {
+        let folder = if args == plain { "isolated" } else { "trusted" };
+        let (_, err) = w.does(&format!("{args} --verbose --debug-dir {folder}"));
+        let lines: Vec<_> = err.lines().map(|l| l.split("  ").find(|w| !w.is_empty()).unwrap()).collect();
+        assert_eq!(lines[..3], ["light", "no-way--31m", "reading"], "{err}");
+        let mut files: Vec<_> = fs::read_dir(w.path(folder))
+            .unwrap()
+            .map(|f| f.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        assert_eq!(files[..2], ["01-light.png", "02-no-way--31m.png"]);
+        assert!(files[2].starts_with("03-") && files.len() > 5, "{files:?}");
+        let picture = image::open(w.path(folder).join("01-light.png")).unwrap().to_rgb8();
+        assert_eq!(picture.as_raw()[..], [255, 0, 0, 0, 0, 255]);
+        // Without a folder there are no pictures, but names.
+        assert!(w.does(&format!("{args} --verbose")).1.contains("light"));
+        assert!(!w.does(&args).1.contains("light"));
+    }
+    w.refuses(&format!("{plain} --debug-dir isolated").replace(" --force", ""), 1, &["out.svg", "--force"]);
+    fs::remove_file(w.path("out.svg")).unwrap();
+    let again = format!("{plain} --debug-dir isolated").replace(" --force", "");
+    w.refuses(&again, 1, &["01-light.png", "--force"]);
+}
+
+#[test]
+fn what_a_plan_shows_is_told_and_kept() {
+    let w = Workshop::new();
+    bad_plugin(&w.path("p"), "plan", "read", &[]);
+    w.write("doc.x", "plan");
+    for trust in ["", "--trust-plugins"] {
+        let (out, _) = w.does(&format!("inspect doc.x --plugin-dir p {trust}"));
+        for line in [
+            "  symbols     2 door, 1 sink\n",
+            "  scale       0.02 m per pixel by written scale 1:100, 90 % sure\n",
+        ] {
+            assert!(out.contains(line), "{line} is not in\n{out}");
+        }
+        assert!(!out.contains("texts"), "{out}");
+        let (json, _) = w.does(&format!("inspect doc.x --plugin-dir p {trust} --json"));
+        let report: Value = serde_json::from_str(&json).unwrap();
+        assert_eq!(report["symbols"], json!({"door": 2, "sink": 1}));
+        assert_eq!(report["scale"]["metres_per_pixel"], 0.02);
+        let (_, err) = w.does(&format!("convert doc.x -o a.layout.json --force --plugin-dir p {trust}"));
+        assert!(err.contains(", 3 symbols, scale by written scale 1:100 -> "), "{err}");
+        let layout: Value = serde_json::from_slice(&w.read("a.layout.json")).unwrap();
+        assert_eq!(layout["scale"], report["scale"]);
+        let leaf = json!({"hinge": [1.0, 1.5], "closed": [1.9, 1.5], "open": [1.0, 2.4]});
+        assert_eq!(layout["symbols"][2]["leaves"], json!([leaf]));
+        assert_eq!(layout["symbols"][1]["leaves"], json!([]));
+        w.does(&format!("convert doc.x -o b.layout.json --force --plugin-dir p {trust} --method paper"));
+        let paper: Value = serde_json::from_slice(&w.read("b.layout.json")).unwrap();
+        assert_eq!((&paper["scale"], &paper["symbols"]), (&layout["scale"], &layout["symbols"]));
+    }
+    let (out, err) = (w.does("inspect map.yaml").0, w.does("convert map.yaml -o c.svg").1);
+    for word in ["scale", "symbol", "text"] {
+        assert!(!out.contains(word) && !err.contains(word), "{out}{err}");
+    }
+}
+
+#[test]
+fn stages_without_end_or_pictures_without_sense_are_refused() {
+    let w = Workshop::new();
+    for (misdeed, words) in [("flood", "more than 100 stages"), ("torn", "2 x 1 pixels has 5 bytes")] {
+        bad_plugin(&w.path("p"), misdeed, "read", &[]);
+        w.write("doc.x", misdeed);
+        for trust in ["", "--trust-plugins"] {
+            let args = format!("convert doc.x -o out.svg --plugin-dir p --debug-dir d {trust} --force");
+            let output = w.run(&args);
+            cli_support::refused(&output, 1, &[words], &args);
+            assert!(!w.path("out.svg").exists());
+        }
+    }
+}
+
+#[test]
 fn a_plugin_can_talk_to_the_user() {
     let w = Workshop::new();
     bad_plugin(&w.path("p"), "talk", "read", &[]);
@@ -171,7 +252,11 @@ fn plugins_are_named_where_formats_are() {
     w.does("convert map.yaml -o second.bin --to exit --from slam-grid --plugin-dir p");
     assert_eq!(w.read("out.bin"), b"done\n");
     w.refuses("convert map.yaml -o third.bin --to exist --plugin-dir p", 2, &["`exist`", "svg, dxf", "exit"]);
-    w.refuses("convert map.yaml -o a.svg --from exist --plugin-dir p", 2, &["`exist`", "slam-grid, exit"]);
+    w.refuses(
+        "convert map.yaml -o a.svg --from exist --plugin-dir p",
+        2,
+        &["`exist`", "slam-grid, blueprint, exit"],
+    );
     assert!(w.does("plugins info exit --plugin-dir p").0.contains("from         p/exit.so"));
     w.refuses("plugins info exist --plugin-dir p", 2, &["there is no plugin `exist`", "exit"]);
 }

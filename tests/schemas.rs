@@ -13,8 +13,8 @@ use cli_support::Workshop;
 use jsonschema::Validator;
 use planform::reconstruct::{Params, reconstruct};
 use planform_sdk::{
-    Annotations, Document, GeoAnchor, Layout, Options, Point, Pose, Provenance, Scene, Source, Symbol, Text,
-    schema,
+    Annotations, Document, DoorLeaf, GeoAnchor, Layout, Options, Point, Pose, Provenance, Scale, Scene,
+    Source, Symbol, Text, schema,
 };
 use planform_synth::{Building, BuildingParams, ScanParams, Size, corridor_with_rooms, two_rooms};
 use serde::{Serialize, Serializer};
@@ -96,8 +96,20 @@ fn annotations() -> Annotations {
     let pose = Pose { x: 1.5, y: -2.0, yaw: 0.3 };
     Annotations {
         texts: vec![Text { content: "Küche".into(), pose, width: 1.2, height: 0.3, confidence: 0.5 }],
-        symbols: vec![Symbol { kind: "fire-extinguisher".into(), pose, width: 0.2, height: 0.2, score: 1.0 }],
+        symbols: vec![Symbol {
+            kind: "double-door".into(),
+            pose,
+            width: 1.6,
+            height: 0.8,
+            score: 1.0,
+            leaves: vec![DoorLeaf {
+                hinge: Point::new(0.7, -2.0),
+                closed: Point::new(1.5, -2.0),
+                open: Point::new(0.7, -1.2),
+            }],
+        }],
         anchor: Some(GeoAnchor { latitude: 47.4, longitude: 8.5, bearing: -3.0, at: Point::new(0.5, 0.0) }),
+        scale: Some(Scale { metres_per_pixel: 0.02, source: "written scale 1:100".into(), confidence: 0.9 }),
         provenance: Provenance { source: "plan.png".into(), adapter: "by-hand".into() },
         warnings: vec!["the scale was guessed".into()],
     }

@@ -7,7 +7,7 @@ use super::output::{self, Target};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::params::MethodArgs;
 use super::progress::{Progress, Voice};
-use super::watch::{DebugFolder, Watch};
+use super::watch::{DebugFolder, ReadWatch, Watch};
 use crate::reconstruct::{Params, reconstruct};
 use clap::Args;
 use planform_sdk::{Document, Layout, OpeningKind, Options, RoomState, Scene};
@@ -45,7 +45,7 @@ pub struct ConvertArgs {
     force: bool,
     #[command(flatten)]
     method: MethodArgs,
-    /// Paint what each step found into this folder, as `01-clutter.png` and so on
+    /// Paint what each step found into this folder, as `01-clutter.png` and so on; the adapter's own steps come first
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
     /// Tell each step and how long it took
@@ -74,17 +74,15 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let targets = output::plan(&args.output, args.to.as_deref(), &registry)?;
     let params = args.method.params()?;
     targets.iter().try_for_each(|t| t.check(&args.input.input, args.force))?;
-    let opened = Opened::open(&args.input, &registry)?;
-    tell_refusals(&registry, args.voice());
     let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
+    let opened = Opened::open(&args.input, &registry, &exporters)?;
+    tell_refusals(&registry, args.voice());
     let options = opened.options(&args.input.settings(), &exporters)?;
-    let folder = args
-        .debug_dir
-        .as_deref()
-        .map(|dir| DebugFolder::prepare(dir, params.method.steps(), args.force))
-        .transpose()?;
+    let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force));
+    let mut folder = folder.transpose()?;
     let (adapter_options, exporter_options) = options.split_at(1);
-    let scene = read(&opened, &adapter_options[0], args.voice())?;
+    let scene = read(&opened, &adapter_options[0], args.voice(), folder.as_mut())?;
+    folder.iter().try_for_each(|f| f.check(params.method.steps()))?;
     let run = Run { opened: &opened, scene: &scene, voice: args.voice() };
     let layout = run.finish(&params, folder.as_ref(), &targets, exporter_options, args.force)?;
     if args.voice() != Voice::Quiet {
@@ -93,13 +91,21 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-fn read(opened: &Opened<'_>, options: &Options, voice: Voice) -> Result<Scene, Failure> {
+fn read(
+    opened: &Opened<'_>,
+    options: &Options,
+    voice: Voice,
+    folder: Option<&mut DebugFolder>,
+) -> Result<Scene, Failure> {
     let mut progress = Progress::new(voice);
     progress.step("reading");
-    let scene = opened.read(options);
+    let mut watch = ReadWatch::new(&mut progress, folder);
+    let scene = opened.read(options, &mut watch);
+    let watched = watch.finish();
     drop(progress);
     tell_messages(voice);
     let scene = scene?;
+    watched?;
     if voice != Voice::Quiet {
         tell_warnings(&opened.shown(), &scene.warnings);
     }
@@ -150,7 +156,7 @@ impl Run<'_> {
         folder: Option<&DebugFolder>,
         progress: &mut Progress,
     ) -> Result<Layout, Failure> {
-        let mut watch = Watch::new(progress, folder, &self.scene.grid);
+        let mut watch = Watch::new(progress, folder, &self.scene.grid, params.method.steps());
         let layout =
             reconstruct(self.scene, params, &mut watch).map_err(|e| Failure::over(self.opened.shown(), e))?;
         watch.finish()?;
@@ -179,11 +185,21 @@ fn found(layout: &Layout) -> String {
     let (doors, passages) = (openings(OpeningKind::Door), openings(OpeningKind::Passage));
     let passages = if passages > 0 { format!(", {}", count(passages, "passage")) } else { String::new() };
     format!(
-        "{}{partial}, {}, {}{passages}",
+        "{}{partial}, {}, {}{passages}{}",
         count(layout.rooms.len(), "room"),
         count(layout.walls.len(), "wall"),
-        count(doors, "door")
+        count(doors, "door"),
+        read_beside(layout)
     )
+}
+
+/// What the document says beside its grid, if anything.
+fn read_beside(layout: &Layout) -> String {
+    let counts = [(layout.texts.len(), "text"), (layout.symbols.len(), "symbol")];
+    let counts =
+        counts.into_iter().filter(|(n, _)| *n > 0).map(|(n, thing)| format!(", {}", count(n, thing)));
+    let scale = layout.scale.as_ref().map(|s| format!(", scale by {}", s.source));
+    counts.chain(scale).collect()
 }
 
 fn count(n: usize, thing: &str) -> String {
@@ -193,12 +209,18 @@ fn count(n: usize, thing: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planform_sdk::{Opening, Polygon, Room, Segment};
+    use planform_sdk::{Opening, Polygon, Pose, Room, Scale, Segment, Text};
 
     #[test]
     fn the_summary_counts_what_was_found() {
-        let room =
-            |id, state| Room { id, name: None, state, inner: Polygon::default(), centre: Polygon::default() };
+        let room = |id, state| Room {
+            id,
+            name: None,
+            stated_area: None,
+            state,
+            inner: Polygon::default(),
+            centre: Polygon::default(),
+        };
         let door = Opening { kind: OpeningKind::Door, segment: Segment::default(), rooms: [1, 2] };
         let layout = Layout {
             rooms: vec![room(1, RoomState::Complete), room(2, RoomState::Partial)],
@@ -207,5 +229,10 @@ mod tests {
         };
         assert_eq!(found(&layout), "2 rooms (1 partial), 0 walls, 1 door");
         assert_eq!(found(&Layout::default()), "0 rooms, 0 walls, 0 doors");
+        let text =
+            Text { content: "Hall".into(), pose: Pose::default(), width: 1.0, height: 0.2, confidence: 1.0 };
+        let scale = Scale { metres_per_pixel: 0.01, source: "door widths".into(), confidence: 0.4 };
+        let plan = Layout { texts: vec![text.clone(), text], scale: Some(scale), ..Layout::default() };
+        assert_eq!(found(&plan), "0 rooms, 0 walls, 0 doors, 2 texts, scale by door widths");
     }
 }

@@ -2,9 +2,9 @@
 
 use super::Failure;
 use super::failure::shown;
-use crate::host::{Registry, Setting, run_options};
+use crate::host::{Choice, Claim, Registry, Setting, run_options};
 use clap::Args;
-use planform_sdk::{ErrorKind, InputAdapter, Options, PluginError, PluginInfo, Scene, Source};
+use planform_sdk::{ErrorKind, InputAdapter, Options, PluginError, PluginInfo, ReadWatcher, Scene, Source};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -44,17 +44,29 @@ pub struct Opened<'a> {
     /// The document.
     pub source: Source,
     adapter: &'a dyn InputAdapter,
+    claims: Option<Vec<Claim<'a>>>,
 }
 
 impl<'a> Opened<'a> {
-    /// Opens the document and finds its adapter.
-    pub fn open(args: &'a InputArgs, registry: &'a Registry) -> Result<Self, Failure> {
+    /// Opens the document and finds its adapter. A setting that one of the `others` takes may be meant for that alone.
+    pub fn open(
+        args: &'a InputArgs,
+        registry: &'a Registry,
+        others: &[&PluginInfo],
+    ) -> Result<Self, Failure> {
         let path = args.input.as_path();
         let source = source(path).map_err(|e| Failure::of_plugin(shown(path), e))?;
-        let adapter = registry
-            .adapter_for(&source, args.from.as_deref())
+        let settings = args.settings();
+        let settings: Vec<_> = settings.iter().filter(|s| !others.iter().any(|o| s.is_for(o))).collect();
+        let Choice { adapter, claims } = registry
+            .choose(&source, args.from.as_deref(), &settings)
             .map_err(|e| Failure::of_plugin(shown(path), e))?;
-        Ok(Self { path, source, adapter })
+        Ok(Self { path, source, adapter, claims })
+    }
+
+    /// What each adapter says of the document.
+    pub fn claims(&mut self, registry: &'a Registry) -> &[Claim<'a>] {
+        self.claims.get_or_insert_with(|| registry.claims(&self.source))
     }
 
     /// The document's path as the user knows it.
@@ -75,8 +87,9 @@ impl<'a> Opened<'a> {
     }
 
     /// Reads the document.
-    pub fn read(&self, options: &Options) -> Result<Scene, Failure> {
-        self.adapter.read(&self.source, options).map_err(|e| Failure::of_plugin(self.shown(), e))
+    pub fn read(&self, options: &Options, watcher: &mut dyn ReadWatcher) -> Result<Scene, Failure> {
+        let scene = self.adapter.read_watched(&self.source, options, watcher);
+        scene.map_err(|e| Failure::of_plugin(self.shown(), e))
     }
 }
 

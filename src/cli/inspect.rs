@@ -1,14 +1,16 @@
 //! `planform inspect`.
 
+use super::Failure;
+use super::failure::{print, safe};
 use super::input::{InputArgs, Opened};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::progress::Voice;
-use super::{Failure, failure::print};
 use crate::host::Claim;
 use crate::reconstruct::Contour;
 use clap::Args;
-use planform_sdk::{GeoAnchor, Grid, Pose, Scene};
+use planform_sdk::{Confidence, GeoAnchor, Grid, Pose, Scale, Scene, Symbol};
 use serde::Serialize;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 const EXAMPLES: &str = "\
@@ -35,13 +37,13 @@ pub struct InspectArgs {
 
 pub fn run(args: &InspectArgs) -> Result<(), Failure> {
     let registry = args.outside.registry(args.verbose)?;
-    let opened = Opened::open(&args.input, &registry)?;
+    let mut opened = Opened::open(&args.input, &registry, &[])?;
     let options = opened.options(&args.input.settings(), &[])?;
     tell_refusals(&registry, Voice::Normal);
-    let scene = opened.read(&options[0]);
+    let scene = opened.read(&options[0], &mut ());
     tell_messages(Voice::Normal);
     let scene = scene?;
-    let report = Report::of(&opened.shown(), &registry.claims(&opened.source), &scene);
+    let report = Report::of(&opened.shown(), opened.claims(&registry), &scene);
     print(&if args.json { report.json().into_bytes() } else { report.text().into_bytes() })
 }
 
@@ -59,7 +61,9 @@ struct Report {
     origin: Pose,
     shares: Shares,
     texts: usize,
-    symbols: usize,
+    /// How many there are of each kind.
+    symbols: BTreeMap<String, usize>,
+    scale: Option<Scale>,
     anchor: Option<GeoAnchor>,
     warnings: Vec<String>,
 }
@@ -67,8 +71,11 @@ struct Report {
 #[derive(Serialize)]
 struct ClaimReport {
     adapter: String,
+    /// How sure its probe is.
     percent: u8,
     reason: String,
+    /// How sure it is after a closer look, if it took one.
+    look: Option<Confidence>,
 }
 
 /// How much of the grid is what, each 0 to 1, as the reconstruction judges by default.
@@ -112,7 +119,8 @@ impl Report {
             origin: grid.origin(),
             shares: Shares::of(grid),
             texts: scene.texts.len(),
-            symbols: scene.symbols.len(),
+            symbols: kinds(&scene.symbols),
+            scale: scene.scale.clone(),
             anchor: scene.anchor,
             warnings: scene.warnings.clone(),
         }
@@ -154,10 +162,17 @@ impl Report {
         ] {
             let _ = writeln!(t, "  {name:<10}{:>6.1} %  ({meaning})", share * 100.0);
         }
-        for (name, count) in [("texts", self.texts), ("symbols", self.symbols)] {
-            if count > 0 {
-                let _ = writeln!(t, "  {name:<12}{count}");
-            }
+        if self.texts > 0 {
+            let _ = writeln!(t, "  texts       {}", self.texts);
+        }
+        if !self.symbols.is_empty() {
+            let kinds: Vec<_> = self.symbols.iter().map(|(kind, n)| format!("{n} {}", safe(kind))).collect();
+            let _ = writeln!(t, "  symbols     {}", kinds.join(", "));
+        }
+        if let Some(Scale { metres_per_pixel, source, confidence }) = &self.scale {
+            let (length, percent) = (rounded(*metres_per_pixel), confidence * 100.0);
+            let _ =
+                writeln!(t, "  scale       {length} m per pixel by {}, {percent:.0} % sure", safe(source));
         }
         if let Some(GeoAnchor { latitude, longitude, bearing, at }) = self.anchor {
             let _ = writeln!(
@@ -174,6 +189,13 @@ impl Report {
     }
 }
 
+/// How many symbols there are of each kind.
+fn kinds(symbols: &[Symbol]) -> BTreeMap<String, usize> {
+    let mut kinds = BTreeMap::new();
+    symbols.iter().for_each(|s| *kinds.entry(s.kind.clone()).or_default() += 1);
+    kinds
+}
+
 /// The number with at most six digits after the point. A resolution finer than that stays as it is.
 fn rounded(v: f64) -> f64 {
     let rounded = (v * 1e6).round() / 1e6;
@@ -184,14 +206,21 @@ impl ClaimReport {
     fn of(claim: &Claim<'_>) -> Self {
         Self {
             adapter: claim.adapter.info().name.clone(),
-            percent: claim.confidence.percent,
-            reason: claim.confidence.reason.clone(),
+            percent: claim.probe.percent,
+            reason: claim.probe.reason.clone(),
+            look: claim.look.clone(),
         }
     }
 
     fn text(&self) -> String {
-        let reason = if self.reason.is_empty() { "not its kind of document" } else { &self.reason };
-        format!("{} is {} % sure: {reason}", self.adapter, self.percent)
+        let sure = |percent: u8, reason: &str| {
+            let reason = if reason.is_empty() { "not its kind of document" } else { reason };
+            format!("{percent} % sure: {reason}")
+        };
+        let probe = format!("{} is {}", self.adapter, sure(self.percent, &self.reason));
+        let look =
+            self.look.as_ref().map(|l| format!("; after a closer look {}", sure(l.percent, &l.reason)));
+        probe + &look.unwrap_or_default()
     }
 }
 

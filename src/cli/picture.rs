@@ -1,8 +1,9 @@
-//! Paints what a step of the reconstruction found over a pale picture of the grid.
+//! Paints what a step of the reconstruction found over a pale picture of the grid; writes the pictures of adapters.
 
 use crate::reconstruct::{Drawing, Shape};
-use image::{ExtendedColorType, ImageEncoder, ImageError, codecs::png::PngEncoder};
-use planform_sdk::{Cell, Grid, Point, Polygon, Segment};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageBuffer, ImageEncoder, ImageError, Rgb, imageops};
+use planform_sdk::{Cell, Grid, Picture, Point, Polygon, Segment};
 use std::ops::Range;
 use tiny_skia::{FillRule, LineCap, Paint, PathBuilder, Pixmap, PremultipliedColorU8, Stroke, Transform};
 
@@ -10,6 +11,8 @@ use tiny_skia::{FillRule, LineCap, Paint, PathBuilder, Pixmap, PremultipliedColo
 const WANTED: f64 = 1600.0;
 /// No side has more pixels.
 const LONGEST: f64 = 2400.0;
+/// No side of an adapter's picture has more pixels: it may show a large sheet of paper.
+const LONGEST_OF_STAGE: u32 = 4000;
 /// Cells around those that are known, as a share of the longest side.
 const MARGIN: f64 = 0.02;
 /// A cell is never enlarged to more pixels.
@@ -21,6 +24,29 @@ const OCCUPIED: u8 = 150;
 
 /// Opacity of an [`Shape::Area`].
 const AREA_ALPHA: u8 = 110;
+
+/// An adapter's picture as a PNG file, smaller if it is very large.
+pub fn stage_png(picture: Picture<'_>) -> Result<Vec<u8>, ImageError> {
+    let (width, height) = (picture.width(), picture.height());
+    let shrunk = |side: u32| {
+        let longest = u64::from(width.max(height).max(LONGEST_OF_STAGE));
+        (u64::from(side) * u64::from(LONGEST_OF_STAGE) / longest).max(1) as u32
+    };
+    let pixels = ImageBuffer::<Rgb<u8>, _>::from_raw(width, height, picture.rgb());
+    match pixels.filter(|_| width.max(height) > LONGEST_OF_STAGE) {
+        None => rgb_png(width, height, picture.rgb()),
+        Some(pixels) => {
+            let small = imageops::thumbnail(&pixels, shrunk(width), shrunk(height));
+            rgb_png(small.width(), small.height(), &small)
+        }
+    }
+}
+
+fn rgb_png(width: u32, height: u32, rgb: &[u8]) -> Result<Vec<u8>, ImageError> {
+    let mut png = Vec::new();
+    PngEncoder::new(&mut png).write_image(rgb, width, height, ExtendedColorType::Rgb8)?;
+    Ok(png)
+}
 
 /// A picture of a grid, ready to be painted over.
 pub struct Painter {
@@ -247,6 +273,20 @@ mod tests {
         let [r, _, b, _] = p.get_pixel(48 + 15 * 16, 1696 - 48 - 2 * 16).0;
         assert!(b > r, "the area moves with the cells");
         assert_eq!(p.get_pixel(48 + 15 * 16, 1696 - 48 - 6 * 16).0[0], UNKNOWN);
+    }
+
+    #[test]
+    fn large_pictures_of_stages_are_made_smaller() {
+        let size = |width: u32, height: u32| {
+            let rgb = vec![7; (width * height * 3) as usize];
+            let png = stage_png(Picture::new(width, height, &rgb).unwrap()).unwrap();
+            let shown = image::load_from_memory(&png).unwrap().to_rgb8();
+            assert!(shown.pixels().all(|p| p.0 == [7; 3]));
+            shown.dimensions()
+        };
+        assert_eq!(size(3, 2), (3, 2));
+        assert_eq!(size(8000, 100), (4000, 50));
+        assert_eq!(size(1, 5000), (1, 4000));
     }
 
     #[test]

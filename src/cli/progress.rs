@@ -29,6 +29,8 @@ pub enum Voice {
 pub struct Progress {
     voice: Voice,
     step: Option<(&'static str, Instant)>,
+    /// When the last stage of the step ended, or else when the step began.
+    stage: Instant,
     line: Option<Line>,
 }
 
@@ -36,16 +38,25 @@ impl Progress {
     /// No step yet.
     pub fn new(voice: Voice) -> Self {
         let shows_line = voice == Voice::Normal && io::stderr().is_terminal();
-        Self { voice, step: None, line: shows_line.then(Line::start) }
+        Self { voice, step: None, stage: Instant::now(), line: shows_line.then(Line::start) }
     }
 
     /// The step before is done, this one begins.
     pub fn step(&mut self, name: &'static str) {
         self.end_step();
-        self.step = Some((name, Instant::now()));
+        self.stage = Instant::now();
+        self.step = Some((name, self.stage));
         if let Some(line) = &self.line {
             // The line's thread ends only after this sender.
             let _ = line.names.send(name);
+        }
+    }
+
+    /// A part of the step is done.
+    pub fn stage(&mut self, name: &str) {
+        let start = std::mem::replace(&mut self.stage, Instant::now());
+        if self.voice == Voice::Verbose {
+            say(&format!("  {name:<10}{:>8.3} s", start.elapsed().as_secs_f64()));
         }
     }
 

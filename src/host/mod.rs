@@ -11,7 +11,7 @@ mod search;
 mod settings;
 mod trust;
 
-pub use claims::Claim;
+pub use claims::{Choice, Claim};
 pub use outside::{Contents, Loaded, Message, OutsideSettings, Outsider, Refusal, load, messages};
 pub use registry::{Origin, Registry};
 pub use search::PATH_VARIABLE;

@@ -4,8 +4,8 @@ use super::isolated::{Limits, Process};
 use super::{library, search};
 use planform_sdk::abi::host::{Log, logged};
 use planform_sdk::{
-    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene,
-    Source,
+    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe,
+    ReadWatcher, Scene, Source,
 };
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -197,6 +197,15 @@ impl InputAdapter for Outsider<dyn InputAdapter> {
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
         named(&self.info().name, self.plugin.read(source, options))
+    }
+
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        named(&self.info().name, self.plugin.read_watched(source, options, watcher))
     }
 }
 

@@ -20,7 +20,8 @@ impl Setting {
         Self { plugin: None, name: name.into(), value: value.into() }
     }
 
-    fn is_for(&self, plugin: &PluginInfo) -> bool {
+    /// Whether this plugin takes it.
+    pub fn is_for(&self, plugin: &PluginInfo) -> bool {
         match &self.plugin {
             Some(name) => *name == plugin.name,
             None => plugin.options.iter().any(|o| o.name == self.name),

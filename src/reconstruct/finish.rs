@@ -4,6 +4,7 @@ use super::Params;
 use super::boundary::Run;
 use super::inner;
 use super::lines::Line;
+use super::names::{self, Called};
 use super::openings::Gap;
 use super::outline::Outline;
 use super::paper::{Built, Division};
@@ -92,6 +93,7 @@ pub fn layout(scene: &Scene, params: &Params, found: &Found<'_>) -> Layout {
         texts: scene.texts.clone(),
         symbols: scene.symbols.clone(),
         anchor: scene.anchor,
+        scale: scene.scale.clone(),
         provenance: scene.provenance.clone(),
         method: params.method.name().into(),
     }
@@ -127,21 +129,17 @@ pub fn id(room: usize) -> RoomId {
 fn rooms(scene: &Scene, frame: &Frame<'_>, found: &Found<'_>) -> Vec<Room> {
     let room = |(i, floor): (usize, &Polygon)| {
         let inner = frame.polygon(floor);
+        let Called { name, stated_area } = names::of_room(&scene.texts, &inner);
         Room {
             id: id(i),
-            name: name(scene, &inner),
+            name,
+            stated_area,
             state: if found.partial[i] { RoomState::Partial } else { RoomState::Complete },
             centre: frame.polygon(&found.built.clusters.outlines[i].polygon()),
             inner,
         }
     };
     found.built.floors.iter().enumerate().map(room).collect()
-}
-
-/// The text in the room that is written largest.
-pub fn name(scene: &Scene, room: &Polygon) -> Option<String> {
-    let inside = scene.texts.iter().filter(|t| room.contains(Point::new(t.pose.x, t.pose.y)));
-    inside.max_by(|a, b| a.height.total_cmp(&b.height)).map(|t| t.content.clone())
 }
 
 fn walls(frame: &Frame<'_>, found: &Found<'_>, params: &Params) -> Vec<Wall> {

@@ -84,6 +84,7 @@ impl Building {
             rooms.push(Room {
                 id: id(i),
                 name: None,
+                stated_area: None,
                 state: RoomState::Complete,
                 inner: polygon(rings, inner)?,
                 centre: polygon(rings, centre)?,

@@ -2,7 +2,7 @@
 
 use image::{GrayImage, ImageFormat, Luma, Rgb, RgbImage};
 use planform_sdk::{Cell, Grid, Layout};
-use planform_synth::Labels;
+use planform_synth::{Labels, Plan};
 use std::error::Error;
 use std::fs;
 use std::path::Path;
@@ -15,6 +15,22 @@ pub fn write(folder: &Path, grid: &Grid, truth: &Layout, labels: &Labels) -> Res
     fs::write(path("map.yaml"), yaml(grid))?;
     fs::write(path("truth.json"), serde_json::to_string_pretty(truth)? + "\n")?;
     label_image(labels).save_with_format(path("labels.png"), ImageFormat::Png)?;
+    Ok(())
+}
+
+/// Writes `plan.jpg` or `plan.png`, `truth.json`, `labels.png` (the rooms), `walls.png` and `letters.png` (their ink)
+/// into the folder, which is made if need be.
+pub fn write_plan(folder: &Path, plan: &Plan) -> Result<(), Box<dyn Error>> {
+    let path = |name: &str| folder.join(name);
+    fs::create_dir_all(folder).map_err(|e| format!("cannot make {}: {e}", folder.display()))?;
+    match &plan.jpeg {
+        Some(bytes) => fs::write(path("plan.jpg"), bytes)?,
+        None => plan.picture.save_with_format(path("plan.png"), ImageFormat::Png)?,
+    }
+    fs::write(path("truth.json"), serde_json::to_string_pretty(&plan.truth)? + "\n")?;
+    label_image(&plan.labels()).save_with_format(path("labels.png"), ImageFormat::Png)?;
+    plan.truth.walls.save_with_format(path("walls.png"), ImageFormat::Png)?;
+    plan.truth.letters.save_with_format(path("letters.png"), ImageFormat::Png)?;
     Ok(())
 }
 

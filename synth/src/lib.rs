@@ -3,7 +3,7 @@
 //! [`Building::generate`] draws a building from a seed; [`Building::layout`] is its true layout,
 //! [`Building::clean_grid`] its exact raster, and [`Building::scan`] the map that a robot with a laser would make of
 //! it. The same seed gives the same bytes. [`Sample::draw`] makes a map with its truth of any kind of building, for
-//! training.
+//! training. [`Plan::draw`] draws a building as people do: a blueprint or an evacuation plan, with its truth.
 
 mod blocks;
 mod building;
@@ -20,6 +20,7 @@ mod obstacles;
 mod parallel;
 mod params;
 mod partition;
+mod plan;
 mod raster;
 mod rng;
 mod sample;
@@ -36,6 +37,7 @@ pub use building::Building;
 pub use fixtures::{SimpleParams, corridor_with_rooms, simple, two_rooms};
 pub use parallel::parallel_map;
 pub use params::{BuildingParams, RoomKind, Size};
+pub use plan::{Plan, PlanLeaf, PlanName, PlanStyle, PlanSymbol, PlanText, PlanTextRole, PlanTruth};
 pub use raster::{Labels, Outline};
 pub use sample::Sample;
 pub use scan::{RoomView, Scan};

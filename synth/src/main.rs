@@ -3,13 +3,13 @@
 mod files;
 
 use clap::{Parser, ValueEnum};
-use planform_synth::{Building, BuildingParams, Noise, Outline, Sample, ScanParams, Size};
+use planform_synth::{Building, BuildingParams, Noise, Outline, Plan, PlanStyle, Sample, ScanParams, Size};
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 /// Writes the map that a robot would make of a made-up building (map.pgm, map.yaml), and the truth about that
-/// building (truth.json, labels.png).
+/// building (truth.json, labels.png). With --plan, a drawing of a building in place of a map.
 #[derive(Parser)]
 #[command(version)]
 struct Args {
@@ -46,6 +46,18 @@ struct Args {
     /// Write the exact raster of the building in place of a robot's map
     #[arg(long)]
     exact: bool,
+    /// Draw a building as people do (plan.jpg or plan.png, truth.json, labels.png, walls.png, letters.png): of the other
+    /// options only --seed and --out count
+    #[arg(long, value_enum, conflicts_with = "varied")]
+    plan: Option<PlanArg>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum PlanArg {
+    /// An architect's plan
+    Blueprint,
+    /// A plan with escape routes and safety signs
+    Evacuation,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -119,6 +131,34 @@ impl Args {
 }
 
 fn run(args: &Args) -> Result<(), Box<dyn Error>> {
+    match args.plan {
+        Some(style) => draw_plan(args, style),
+        None => make_map(args),
+    }
+}
+
+fn draw_plan(args: &Args, style: PlanArg) -> Result<(), Box<dyn Error>> {
+    let style = match style {
+        PlanArg::Blueprint => PlanStyle::Blueprint,
+        PlanArg::Evacuation => PlanStyle::Evacuation,
+    };
+    let plan =
+        Plan::draw(args.seed, style).ok_or("no building of this seed fits a sheet; give another --seed")?;
+    files::write_plan(&args.out, &plan)?;
+    println!(
+        "{}: {} rooms, {} symbols, {} texts, {} x {} pixels of {:.4} m",
+        args.out.display(),
+        plan.truth.layout.rooms.len(),
+        plan.truth.symbols.len(),
+        plan.truth.texts.len(),
+        plan.picture.width(),
+        plan.picture.height(),
+        plan.truth.metres_per_pixel
+    );
+    Ok(())
+}
+
+fn make_map(args: &Args) -> Result<(), Box<dyn Error>> {
     let Sample { grid, labels, layout } = if args.varied { Sample::draw(args.seed)? } else { args.sample()? };
     files::write(&args.out, &grid, &layout, &labels)?;
     println!(

@@ -65,6 +65,43 @@ MAYBE void do_talk(void) {
   host->log(PLANFORM_LOG_INFO, planform_string("it has three floors"));
 }
 
+/* The sink of the document that is read. */
+static const PlanformSceneSink *the_sink;
+
+static PlanformStatus show(const char *name, size_t length) {
+  static const uint8_t rgb[2 * 1 * 3] = {255, 0, 0, 0, 0, 255};
+  bool wanted = the_sink->flags & PLANFORM_WANTS_PICTURES;
+  PlanformStage stage = {.size = sizeof stage, .name = planform_string(name)};
+  if (wanted) stage.width = 2, stage.height = 1, stage.rgb = rgb, stage.rgb_length = length;
+  return the_sink->stage(the_sink->context, &stage);
+}
+
+/* Does no harm: it tells of the stages of its work. */
+MAYBE void do_stages(void) { show("light", 6), show("../No Way\x1b[31m", 6); }
+
+/* Does no harm: it finds what a plan shows beside its walls. */
+MAYBE void do_plan(void) {
+  static const PlanformDoorLeaf leaf = {1.0, 1.5, 1.9, 1.5, 1.0, 2.4};
+  PlanformSymbol door = {.size = sizeof door, .kind = planform_string("door"), .x = 1.45, .y = 1.95, .score = 1.0};
+  PlanformSymbol sink = door;
+  sink.kind = planform_string("sink");
+  door.leaves = &leaf, door.leaf_count = 1;
+  PlanformScale scale = {.size = sizeof scale, .metres_per_pixel = 0.02, .confidence = 0.9};
+  scale.source = planform_string("written scale 1:100");
+  the_sink->symbol(the_sink->context, &door);
+  the_sink->symbol(the_sink->context, &sink);
+  the_sink->symbol(the_sink->context, &door);
+  the_sink->scale(the_sink->context, &scale);
+}
+
+/* Has far too many stages, whatever it is answered. */
+MAYBE void do_flood(void) {
+  for (int i = 0; i < 1000; i++) show("light", 6);
+}
+
+/* Has a picture that ends too soon. */
+MAYBE void do_torn(void) { show("light", 5); }
+
 /* Leaves a process behind that would run for ever, and then crashes. */
 MAYBE void do_orphan(void) {
   if (fork() == 0) do_sleep();
@@ -100,6 +137,7 @@ static int32_t probe(const PlanformAdapter *adapter, const PlanformProbe *docume
 static PlanformStatus read_(const PlanformAdapter *adapter, const PlanformSource *source,
                             const PlanformJson *options, const PlanformSceneSink *sink) {
   (void)adapter, (void)source, (void)options;
+  the_sink = sink;
   at("read");
   static int8_t cells[100 * 100];
   for (int i = 0; i < 100 * 100; i++) {

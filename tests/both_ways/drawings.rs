@@ -2,7 +2,8 @@
 
 use planform::reconstruct::{Params, reconstruct};
 use planform_sdk::{
-    Annotations, Document, GeoAnchor, Grid, Layout, Point, Pose, Provenance, Scene, Symbol, Text,
+    Annotations, Document, DoorLeaf, GeoAnchor, Grid, Layout, Point, Pose, Provenance, Scale, Scene, Symbol,
+    Text,
 };
 use planform_synth::{Building, BuildingParams, ScanParams, Size, corridor_with_rooms, two_rooms};
 
@@ -28,12 +29,28 @@ fn annotations() -> Annotations {
             height: 0.3,
             confidence: 0.5,
         }],
-        symbols: vec![Symbol { kind: "fire-extinguisher".into(), pose, width: 0.2, height: 0.2, score: 1.0 }],
+        symbols: vec![Symbol {
+            kind: "door".into(),
+            pose,
+            width: 0.9,
+            height: 0.9,
+            score: 1.0,
+            leaves: vec![DoorLeaf {
+                hinge: Point::new(1.0 / 3.0, -0.0),
+                closed: Point::new(1.2, 5e-324),
+                open: Point::new(0.3, 0.9),
+            }],
+        }],
         anchor: Some(GeoAnchor {
             latitude: 47.4,
             longitude: 8.5,
             bearing: -3.0,
             at: Point::new(0.1 + 0.2, 5e-324),
+        }),
+        scale: Some(Scale {
+            metres_per_pixel: 0.1 + 0.2,
+            source: "Maß \0 1:100".into(),
+            confidence: 1.0 / 3.0,
         }),
         provenance: Provenance { source: "Erdgeschoß & Hof.png".into(), adapter: "by-hand".into() },
         warnings: vec!["the scale was guessed".into()],

@@ -76,7 +76,8 @@ mod tests {
 
     fn room(points: &[[f64; 2]]) -> Layout {
         let inner = Polygon { exterior: points.iter().copied().map(Point::from).collect(), holes: vec![] };
-        let room = Room { id: 7, name: None, state: RoomState::Complete, inner, centre: Polygon::default() };
+        let centre = Polygon::default();
+        let room = Room { id: 7, name: None, stated_area: None, state: RoomState::Complete, inner, centre };
         Layout { rooms: vec![room], ..Layout::default() }
     }
 

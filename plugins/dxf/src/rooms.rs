@@ -90,7 +90,7 @@ mod tests {
     fn room(name: Option<&str>) -> Room {
         let inner = Polygon::new(square(0.0, 0.0, 4.0), vec![square(1.5, 1.5, 1.0)]);
         let name = name.map(Into::into);
-        Room { id: 3, name, state: RoomState::Partial, centre: inner.clone(), inner }
+        Room { id: 3, name, stated_area: None, state: RoomState::Partial, centre: inner.clone(), inner }
     }
 
     fn texts(entities: &[Entity]) -> Vec<&str> {

@@ -40,8 +40,19 @@ planform_sdk::export_plugin!(adapters: [], exporters: [exporter()]);
 
 fn write(document: &Document<'_>, _: &Options, out: &mut dyn Write) -> Result<(), PluginError> {
     // Every member by its name, so that none can be forgotten.
-    let Layout { rooms, walls, openings, frontiers, lines, texts, symbols, anchor, provenance, method } =
-        document.layout;
+    let Layout {
+        rooms,
+        walls,
+        openings,
+        frontiers,
+        lines,
+        texts,
+        symbols,
+        anchor,
+        scale,
+        provenance,
+        method,
+    } = document.layout;
     let members = [
         list("rooms", rooms)?,
         list("walls", walls)?,
@@ -51,6 +62,7 @@ fn write(document: &Document<'_>, _: &Options, out: &mut dyn Write) -> Result<()
         list("texts", texts)?,
         list("symbols", symbols)?,
         member("anchor", anchor)?,
+        member("scale", scale)?,
         member("provenance", provenance)?,
         member("method", method)?,
     ];

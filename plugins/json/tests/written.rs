@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used)]
 
-use planform_sdk::{Document, ErrorKind, GeoAnchor, Layout, Options, PluginError, Point, Pose, Symbol};
+use planform_sdk::{
+    Document, DoorLeaf, ErrorKind, GeoAnchor, Layout, Options, PluginError, Point, Pose, Scale, Symbol,
+};
 
 fn flat() -> Layout {
     serde_json::from_str(include_str!("../../svg/tests/flat.json")).unwrap()
@@ -25,8 +27,12 @@ fn hard() -> Layout {
     layout.rooms[2].name = Some(String::new());
     layout.walls[0].rooms = [None, Some(u32::MAX)];
     let pose = Pose { x: f64::EPSILON, y: 1e-300, yaw: std::f64::consts::PI };
-    layout.symbols.push(Symbol { kind: String::new(), pose, width: 0.1, height: 0.7, score: 1.0 });
     let at = Point::new(0.1, 0.3);
+    let leaves = vec![DoorLeaf { hinge: at, closed: Point::new(-0.0, 5e-324), open: at }];
+    layout.symbols.push(Symbol { kind: String::new(), pose, width: 0.1, height: 0.7, score: 1.0, leaves });
+    layout.rooms[0].stated_area = Some(0.1 + 0.2);
+    layout.scale =
+        Some(Scale { metres_per_pixel: 1.0 / 3.0, source: "\0\u{2028}".into(), confidence: 1e-300 });
     layout.anchor = Some(GeoAnchor { latitude: 47.376_9, longitude: -8.541_7, bearing: 359.999, at });
     layout
 }
@@ -56,9 +62,9 @@ fn each_thing_has_its_line() {
         layout.texts.len(),
         layout.symbols.len(),
     ];
-    // The braces, anchor, provenance and method; a list is on one line if it is empty, else it has two more.
+    // The braces, anchor, scale, provenance and method; a list is on one line if it is empty, else it has two more.
     let lists = things.iter().map(|n| if *n == 0 { 1 } else { n + 2 }).sum::<usize>();
-    assert_eq!(text.lines().count(), 5 + lists);
+    assert_eq!(text.lines().count(), 6 + lists);
     assert!(text.lines().any(|l| l.starts_with("{\"id\":1,") && l.ends_with("},")), "{text}");
     assert!(text.ends_with("\n}\n"));
 }

@@ -26,7 +26,7 @@
 #define PLANFORM_ABI_MAJOR 1
 
 // See PLANFORM_ABI_MAJOR.
-#define PLANFORM_ABI_MINOR 0
+#define PLANFORM_ABI_MINOR 1
 
 // It did what it was asked.
 #define PLANFORM_OK 0
@@ -51,6 +51,9 @@
 
 // The flag of a plugin whose functions may be called from several threads at the same time.
 #define PLANFORM_THREAD_SAFE 1
+
+// The flag of a sink that makes use of the stages' pictures. Since version 1.1.
+#define PLANFORM_WANTS_PICTURES 1
 
 // What PlanformProblem.position counts: nothing, the problem has no place.
 #define PLANFORM_NOWHERE 0
@@ -242,7 +245,23 @@ typedef struct PlanformText {
   double confidence;
 } PlanformText;
 
-// A symbol that a document shows, such as a fire extinguisher.
+// A leaf of a door as a plan draws it, in the map frame. No version changes it: it stands in arrays.
+typedef struct PlanformDoorLeaf {
+  // The point that it turns about: metres to the right.
+  double hinge_x;
+  // The same, metres up.
+  double hinge_y;
+  // Where its free end lies when it is closed: metres to the right.
+  double closed_x;
+  // The same, metres up.
+  double closed_y;
+  // Where its free end lies when it is as far open as drawn: metres to the right.
+  double open_x;
+  // The same, metres up.
+  double open_y;
+} PlanformDoorLeaf;
+
+// A symbol that a document shows, such as a fire extinguisher or a door.
 typedef struct PlanformSymbol {
   // sizeof(PlanformSymbol).
   size_t size;
@@ -260,6 +279,10 @@ typedef struct PlanformSymbol {
   double height;
   // From 0 (a guess) to 1 (certain).
   double score;
+  // The leaves of a door that swings, as drawn; may be NULL. Since version 1.1.
+  const struct PlanformDoorLeaf *leaves;
+  // How many there are. Since version 1.1.
+  size_t leaf_count;
 } PlanformSymbol;
 
 // Where the map frame lies on the Earth.
@@ -294,6 +317,35 @@ typedef struct PlanformProblem {
   struct PlanformString advice;
 } PlanformProblem;
 
+// How large a document shows the building. Since version 1.1.
+typedef struct PlanformScale {
+  // sizeof(PlanformScale).
+  size_t size;
+  // Length in the building of a pixel of the document, metres.
+  double metres_per_pixel;
+  // What it was found by, for the user's eyes: "written scale 1:100".
+  struct PlanformString source;
+  // From 0 (a guess) to 1 (certain).
+  double confidence;
+} PlanformScale;
+
+// A stage of an adapter's work that is done, for who looks on. Since version 1.1.
+typedef struct PlanformStage {
+  // sizeof(PlanformStage).
+  size_t size;
+  // What it is called, in lower-case letters, digits and hyphens: "deskew".
+  struct PlanformString name;
+  // Columns of its picture.
+  uint32_t width;
+  // Rows of its picture.
+  uint32_t height;
+  // The picture: red, green and blue of each pixel, row by row from the top, each from left to right. NULL for none,
+  // as when PLANFORM_WANTS_PICTURES is not set.
+  const uint8_t *rgb;
+  // How many bytes there are: three times width times height.
+  size_t rgb_length;
+} PlanformStage;
+
 // Takes what an adapter finds in a document. Valid until the call returns. A callback copies what it is given; one
 // that does not return PLANFORM_OK has refused it, and the adapter should give up and return that status.
 typedef struct PlanformSceneSink {
@@ -315,6 +367,14 @@ typedef struct PlanformSceneSink {
   PlanformStatus (*provenance)(void *context, struct PlanformString source, struct PlanformString adapter);
   // Takes what went wrong and returns its status, for the adapter to return.
   PlanformStatus (*fail)(void *context, const struct PlanformProblem *problem);
+  // Takes the scale of a document whose cells were not measured, such as a plan. Since version 1.1: only there if
+  // `size` says so.
+  PlanformStatus (*scale)(void *context, const struct PlanformScale *scale);
+  // PLANFORM_WANTS_PICTURES, or 0. Since version 1.1.
+  uint64_t flags;
+  // Takes a stage of the work when it is done; to be called for each, or never. Since version 1.1: only there if
+  // `size` says so.
+  PlanformStatus (*stage)(void *context, const struct PlanformStage *stage);
 } PlanformSceneSink;
 
 // Reads one family of document formats. Valid for ever.

@@ -1,6 +1,6 @@
 //! The trait of input adapters, and what the host hands them.
 
-use crate::{ErrorKind, Options, PluginError, PluginInfo, Scene};
+use crate::{ErrorKind, Options, PluginError, PluginInfo, ReadWatcher, Scene};
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::Read;
@@ -18,8 +18,28 @@ pub trait InputAdapter: Send + Sync {
     /// must accept any bytes.
     fn probe(&self, probe: &Probe<'_>) -> Confidence;
 
+    /// How sure the adapter is after a closer look at the whole document, which may take as long as a small part of
+    /// reading it. Built-in adapters are asked when several of them claim a document with about the same confidence,
+    /// and the answer stands in place of the probe's. None is no other answer than that.
+    fn look(&self, source: &Source) -> Option<Confidence> {
+        let _ = source;
+        None
+    }
+
     /// Reads the document.
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError>;
+
+    /// Reads the document and tells the watcher of every stage. What is read is the same. An adapter whose work has no
+    /// stages leaves this as it is.
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        let _ = watcher;
+        self.read(source, options)
+    }
 }
 
 /// What an adapter may look at to recognise a document.

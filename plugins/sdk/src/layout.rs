@@ -1,6 +1,6 @@
 //! The layout of a building: the result of a reconstruction.
 
-use crate::{GeoAnchor, Point, Polygon, Provenance, Segment, Symbol, Text, bounds};
+use crate::{GeoAnchor, Point, Polygon, Provenance, Scale, Segment, Symbol, Text, bounds};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -29,6 +29,9 @@ pub struct Layout {
     pub symbols: Vec<Symbol>,
     /// Where the map frame lies on the Earth, if known.
     pub anchor: Option<GeoAnchor>,
+    /// How large the document shows the building, if that had to be found out, as for plans.
+    #[serde(default)]
+    pub scale: Option<Scale>,
     /// The document and the adapter that read it.
     pub provenance: Provenance,
     /// Name of the reconstruction method.
@@ -43,6 +46,10 @@ pub struct Room {
     pub id: RoomId,
     /// What the document calls it, if it does.
     pub name: Option<String>,
+    /// The floor area that the document states for it, square metres, if it does.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub stated_area: Option<f64>,
     /// Whether all of it was seen.
     pub state: RoomState,
     /// Its floor: the polygon along the inner faces of its walls.
@@ -212,6 +219,7 @@ mod tests {
         let room = Room {
             id: 1,
             name: Some("Küche".into()),
+            stated_area: Some(12.5),
             state: RoomState::Partial,
             inner: square.clone(),
             centre: square,
@@ -219,5 +227,19 @@ mod tests {
         let layout = Layout { rooms: vec![room], ..Layout::default() };
         let text = serde_json::to_string(&layout).unwrap();
         assert_eq!(serde_json::from_str::<Layout>(&text).unwrap(), layout);
+    }
+
+    #[test]
+    fn layouts_of_before_there_were_scales_can_be_read() {
+        let symbol = r#"{"kind":"door","pose":{"x":1,"y":2,"yaw":0},"width":1,"height":1,"score":1}"#;
+        let room = r#"{"id":1,"name":null,"state":"complete","inner":{"exterior":[],"holes":[]},
+            "centre":{"exterior":[],"holes":[]}}"#;
+        let text = format!(
+            r#"{{"rooms":[{room}],"walls":[],"openings":[],"frontiers":[],"lines":[],"texts":[],
+            "symbols":[{symbol}],"anchor":null,"provenance":{{"source":"","adapter":""}},"method":""}}"#
+        );
+        let layout: Layout = serde_json::from_str(&text).unwrap();
+        assert_eq!((layout.scale, layout.rooms[0].stated_area), (None, None));
+        assert!(layout.symbols[0].leaves.is_empty());
     }
 }

@@ -24,6 +24,7 @@ mod layout;
 mod options;
 mod scene;
 pub mod schema;
+mod watch;
 
 pub use adapter::{Confidence, InputAdapter, Probe, Source};
 pub use anchor::Bearing;
@@ -37,4 +38,5 @@ pub use layout::{
     RoomId, RoomState, Wall,
 };
 pub use options::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
-pub use scene::{Annotations, GeoAnchor, Provenance, Scene, Symbol, Text};
+pub use scene::{Annotations, DoorLeaf, GeoAnchor, Provenance, Scale, Scene, Symbol, Text};
+pub use watch::{Picture, ReadWatcher};

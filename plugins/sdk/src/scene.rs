@@ -15,6 +15,8 @@ pub struct Scene {
     pub symbols: Vec<Symbol>,
     /// Where the map frame lies on the Earth, if the document says so.
     pub anchor: Option<GeoAnchor>,
+    /// How large the document shows the building, for documents whose cells were not measured, such as plans.
+    pub scale: Option<Scale>,
     /// Where it all came from.
     pub provenance: Provenance,
     /// What the reader should know: one sentence each, for the user's eyes.
@@ -29,17 +31,18 @@ impl Scene {
 
     /// A scene of a grid and these annotations.
     pub fn new(grid: Grid, annotations: Annotations) -> Self {
-        let Annotations { texts, symbols, anchor, provenance, warnings } = annotations;
-        Self { grid, texts, symbols, anchor, provenance, warnings }
+        let Annotations { texts, symbols, anchor, scale, provenance, warnings } = annotations;
+        Self { grid, texts, symbols, anchor, scale, provenance, warnings }
     }
 
     /// All but the grid.
     pub fn annotations(&self) -> Annotations {
-        let Self { grid: _, texts, symbols, anchor, provenance, warnings } = self;
+        let Self { grid: _, texts, symbols, anchor, scale, provenance, warnings } = self;
         Annotations {
             texts: texts.clone(),
             symbols: symbols.clone(),
             anchor: *anchor,
+            scale: scale.clone(),
             provenance: provenance.clone(),
             warnings: warnings.clone(),
         }
@@ -55,6 +58,9 @@ pub struct Annotations {
     pub symbols: Vec<Symbol>,
     /// Where the map frame lies on the Earth, if the document says so.
     pub anchor: Option<GeoAnchor>,
+    /// How large the document shows the building, for documents whose cells were not measured, such as plans.
+    #[serde(default)]
+    pub scale: Option<Scale>,
     /// Where it all came from.
     pub provenance: Provenance,
     /// What the reader should know: one sentence each, for the user's eyes.
@@ -85,7 +91,7 @@ pub struct Text {
     pub confidence: f64,
 }
 
-/// A symbol found in a document, such as a fire extinguisher.
+/// A symbol found in a document, such as a fire extinguisher or a door.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Symbol {
     /// What it means, as the templates' table names it.
@@ -98,6 +104,33 @@ pub struct Symbol {
     pub height: f64,
     /// From 0 (a guess) to 1 (certain).
     pub score: f64,
+    /// The leaves of a door that swings, as drawn; of everything else none.
+    #[serde(default)]
+    pub leaves: Vec<DoorLeaf>,
+}
+
+/// A leaf of a door as a plan draws it, in the map frame: a line for the open leaf and an arc for its way.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DoorLeaf {
+    /// The point that it turns about, metres.
+    pub hinge: Point,
+    /// Where its free end lies when it is closed, metres.
+    pub closed: Point,
+    /// Where its free end lies when it is as far open as drawn, metres.
+    pub open: Point,
+}
+
+/// How large a document shows the building.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Scale {
+    /// Length in the building of a pixel of the document, metres.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub metres_per_pixel: f64,
+    /// What it was found by, for the user's eyes: "written scale 1:100".
+    pub source: String,
+    /// From 0 (a guess) to 1 (certain).
+    #[schemars(range(min = 0, max = 1))]
+    pub confidence: f64,
 }
 
 /// Where the map frame lies on the Earth.

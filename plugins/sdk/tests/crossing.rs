@@ -12,8 +12,9 @@ use models::{annotations, grid, layout};
 use planform_sdk::abi::host::Plugin;
 use planform_sdk::abi::plugin::Tables;
 use planform_sdk::{
-    Boundary, Confidence, Document, ErrorKind, Exporter, InputAdapter, Layout, OptionSpec, Options, Place,
-    PluginError, PluginInfo, Probe, Scene, Segment, Source, Wall,
+    Boundary, Cell, Confidence, Document, ErrorKind, Exporter, Grid, InputAdapter, Layout, OptionSpec,
+    Options, Picture, Place, PluginError, PluginInfo, Pose, Probe, Provenance, ReadWatcher, Scene, Segment,
+    Source, Wall,
 };
 use proptest::prelude::*;
 use std::io::Write;
@@ -52,6 +53,42 @@ impl InputAdapter for Reader {
 
     fn read(&self, source: &Source, _: &Options) -> Result<Scene, PluginError> {
         (self.scene)(source)
+    }
+
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        let rgb = [1, 2, 3, 4, 5, 6];
+        for (number, byte) in source.bytes.iter().enumerate() {
+            let wanted = watcher.wants_pictures() && byte.is_ascii_uppercase();
+            let picture = wanted.then(|| Picture::new(1, 2, &rgb).unwrap());
+            watcher.stage(&format!("stage-{number}"), picture);
+        }
+        self.read(source, options)
+    }
+}
+
+/// The name of a stage, and the sides and bytes of its picture.
+type Seen = (String, Option<(u32, u32, Vec<u8>)>);
+
+/// Keeps what it is told.
+#[derive(Default)]
+struct Witness {
+    wants_pictures: bool,
+    seen: Vec<Seen>,
+}
+
+impl ReadWatcher for Witness {
+    fn wants_pictures(&self) -> bool {
+        self.wants_pictures
+    }
+
+    fn stage(&mut self, name: &str, picture: Option<Picture<'_>>) {
+        let picture = picture.map(|p| (p.width(), p.height(), p.rgb().to_vec()));
+        self.seen.push((name.into(), picture));
     }
 }
 
@@ -142,6 +179,26 @@ fn a_plugin_says_of_itself_what_it_did_before() {
     let plugin = reader(|_| unreachable!());
     assert_eq!(plugin.adapters[0].info(), &info("reader"));
     assert!(plugin.adapters[0].is_thread_safe());
+}
+
+#[test]
+fn stages_cross_with_their_pictures_if_these_are_wanted() {
+    let grid = || Grid::new(1, 1, 0.1, Pose::default(), vec![Cell::FREE]).unwrap();
+    let plugin = reader(move |_| Ok(Scene::of_grid(grid(), Provenance::default())));
+    let watched = |wants_pictures, bytes: &[u8]| {
+        let mut witness = Witness { wants_pictures, seen: vec![] };
+        let scene = plugin.adapters[0].read_watched(&document(bytes), &options(&[]), &mut witness);
+        (scene, witness.seen)
+    };
+    let picture = Some((1, 2, vec![1, 2, 3, 4, 5, 6]));
+    let (scene, seen) = watched(true, b"Ab");
+    assert_eq!(seen, [("stage-0".to_owned(), picture), ("stage-1".into(), None)]);
+    assert_eq!(scene.unwrap(), read(&plugin, b"Ab").unwrap());
+    let bare = |seen: Vec<Seen>| seen.into_iter().map(|(_, p)| p.is_none()).collect::<Vec<_>>();
+    assert_eq!(bare(watched(false, b"Ab").1), [true, true]);
+    let (scene, seen) = watched(true, &[b'x'; 101]);
+    assert_eq!(seen.len(), 100);
+    assert!(scene.unwrap_err().message.contains("more than 100 stages"));
 }
 
 #[test]

@@ -63,7 +63,7 @@ fn draw(document: &Document<'_>, options: &Options) -> Result<SVG, PluginError> 
     let known = grid.zip(part).map(|(g, p)| p.corners().map(|c| g.to_map(c)));
     let sheet = Sheet::around(layout, &known.map(Vec::from).unwrap_or_default())?;
     let rules = [style::RULES, if grid.is_some() { style::OVER_GRID } else { "" }].concat();
-    let root = root(&sheet, options.number("scale").unwrap_or(100.0))?
+    let root = root(&sheet, options::ratio(options)?)?
         .add(title(&layout.provenance.source))
         .add(with_text("desc", &description(layout, &sheet)))
         .add(Style::new(rules).set("type", "text/css"))

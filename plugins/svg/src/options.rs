@@ -1,6 +1,8 @@
 //! What the plugin says of itself.
 
-use planform_sdk::{Boundary, Bounds, OptionKind, OptionSpec, OptionValue, PluginInfo};
+use planform_sdk::{
+    Boundary, ErrorKind, OptionKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo,
+};
 
 /// Name, extensions, options.
 pub fn info() -> PluginInfo {
@@ -21,7 +23,36 @@ pub fn info() -> PluginInfo {
 }
 
 fn scale() -> OptionSpec {
-    let help = "scale of the drawing on paper: 100 means 1:100, one metre as 10 mm";
-    let kind = OptionKind::Number(Bounds { max: Some(1e6), ..Bounds::above(0.0) });
-    OptionSpec::new("scale", help, kind, Some(OptionValue::Number(100.0)))
+    let help = "scale of the drawing on paper: 1:100, or 100, draws one metre as 10 mm";
+    OptionSpec::new("scale", help, OptionKind::Text, Some(OptionValue::Text("1:100".into())))
+}
+
+/// How many times larger the building is than the drawing.
+///
+/// # Errors
+/// When the option `scale` is no such number above 0 and up to a million.
+pub fn ratio(options: &Options) -> Result<f64, PluginError> {
+    let text = options.text("scale").unwrap_or("100");
+    let ratio = text.trim().strip_prefix("1:").unwrap_or(text).trim().parse();
+    ratio.ok().filter(|r| *r > 0.0 && *r <= 1e6).ok_or_else(|| {
+        PluginError::new(ErrorKind::BadOption, format!("option `scale` cannot be `{text}`"))
+            .advise("give a scale such as 1:100")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(scale: &str) -> Option<f64> {
+        ratio(&Options::parse(&info().options, [("scale", scale)]).unwrap()).ok()
+    }
+
+    #[test]
+    fn scales_are_ratios() {
+        assert_eq!((of("1:50"), of("50"), of(" 1: 2.5 ")), (Some(50.0), Some(50.0), Some(2.5)));
+        for wrong in ["", "0", "-1", "1:0", "nan", "1:1e9", "2:1"] {
+            assert_eq!(of(wrong), None, "{wrong}");
+        }
+    }
 }

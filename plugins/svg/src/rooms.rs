@@ -140,7 +140,8 @@ mod tests {
     fn room(id: RoomId) -> Room {
         let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
         let outline = Polygon::new(square, vec![]);
-        Room { id, name: None, state: RoomState::Complete, inner: outline.clone(), centre: outline }
+        let (inner, centre) = (outline.clone(), outline);
+        Room { id, name: None, stated_area: None, state: RoomState::Complete, inner, centre }
     }
 
     fn wall(a: RoomId, b: RoomId) -> Wall {

@@ -8,7 +8,7 @@ use super::{
 use crate::host::Registry;
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiAdapter;
-use planform_sdk::{GeoAnchor, InputAdapter, PluginError, Probe, Scene, Source};
+use planform_sdk::{GeoAnchor, InputAdapter, Picture, PluginError, Probe, ReadWatcher, Scene, Source};
 use std::time::{Duration, Instant};
 
 /// The longest that a probe may take: every adapter is asked about every document.
@@ -146,7 +146,11 @@ fn sensible(scene: &Scene) -> Result<(), String> {
     }
     let texts = scene.texts.iter().map(|t| ("confidence", &t.content, t.confidence));
     let symbols = scene.symbols.iter().map(|s| ("score", &s.kind, s.score));
-    let odd = texts.chain(symbols).find(|(_, _, share)| !(0.0..=1.0).contains(share));
+    let scale = scene.scale.iter().map(|s| ("confidence", &s.source, s.confidence));
+    if let Some(scale) = scene.scale.as_ref().filter(|s| s.metres_per_pixel <= 0.0) {
+        return Err(format!("its scale is {} metres per pixel", scale.metres_per_pixel));
+    }
+    let odd = texts.chain(symbols).chain(scale).find(|(_, _, share)| !(0.0..=1.0).contains(share));
     odd.map_or(Ok(()), |(what, of, share)| {
         Err(shortened(&format!("the {what} {share} is not within 0 to 1, of `{of}`")))
     })
@@ -171,6 +175,17 @@ pub fn gives_up(subject: &Subject<'_>) -> Result<(), String> {
     Ok(())
 }
 
+/// Looks at every picture, and does nothing with it.
+struct Onlooker;
+
+impl ReadWatcher for Onlooker {
+    fn wants_pictures(&self) -> bool {
+        true
+    }
+
+    fn stage(&mut self, _: &str, _: Option<Picture<'_>>) {}
+}
+
 pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
     let (sample, readers) = readers(subject)?;
     for adapter in readers {
@@ -179,6 +194,11 @@ pub fn repeats(subject: &Subject<'_>) -> Result<(), String> {
         let repeat = || (0..REPEATS).all(|_| read(adapter, sample).is_ok_and(|scene| scene == first));
         if !repeat() {
             return Err("it reads something else from the sample when it reads it again".into());
+        }
+        about_to_try("the sample while somebody looks on");
+        let watched = adapter.read_watched(sample, &defaults(&adapter.info().options), &mut Onlooker);
+        if watched.map_err(|e| format!("the sample while somebody looks on: {e}"))? != first {
+            return Err("it reads something else from the sample when somebody looks on".into());
         }
         about_to_try("the sample on several threads at once");
         if adapter.is_thread_safe() && !on_threads(repeat) {

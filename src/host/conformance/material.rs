@@ -1,8 +1,8 @@
 //! What plugins are tried with: bytes that are no documents, damaged documents, layouts of every kind.
 
 use planform_sdk::{
-    Annotations, Cell, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon, Pose, Provenance, Room,
-    RoomState, Scene, Segment, Source, Symbol, Text, Wall,
+    Annotations, Cell, DoorLeaf, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon, Pose,
+    Provenance, Room, RoomState, Scale, Scene, Segment, Source, Symbol, Text, Wall,
 };
 use std::path::PathBuf;
 
@@ -159,6 +159,7 @@ pub fn plain_layout() -> Layout {
     let room = |id, name: &str, polygon: &Polygon| Room {
         id,
         name: Some(name.into()),
+        stated_area: Some(polygon.area()),
         state: RoomState::Complete,
         inner: polygon.clone(),
         centre: polygon.clone(),
@@ -197,8 +198,19 @@ pub fn scene(width: u32, height: u32) -> Option<Scene> {
     let grid = Grid::new(width, height, 0.05, Pose { x: -1.0, y: 2.0, yaw: 0.3 }, cells).ok()?;
     let pose = Pose { x: 1.0, y: 1.0, yaw: 0.0 };
     let text = Text { content: "Küche".into(), pose, width: 1.0, height: 0.3, confidence: 0.9 };
-    let symbol = Symbol { kind: "extinguisher".into(), pose, width: 0.3, height: 0.3, score: 0.8 };
-    let annotations = Annotations { texts: vec![text], symbols: vec![symbol], ..Annotations::default() };
+    let at = |x: f64, y: f64| Point::new(x, y);
+    let leaf = DoorLeaf { hinge: at(0.5, 1.0), closed: at(1.5, 1.0), open: at(0.5, 2.0) };
+    let size = (0.3, 0.3, 0.8);
+    let symbol = |kind: &str, leaves| {
+        let (width, height, score) = size;
+        Symbol { kind: kind.into(), pose, width, height, score, leaves }
+    };
+    let annotations = Annotations {
+        texts: vec![text],
+        symbols: vec![symbol("fire-extinguisher", vec![]), symbol("door", vec![leaf])],
+        scale: Some(Scale { metres_per_pixel: 0.02, source: "door widths".into(), confidence: 0.5 }),
+        ..Annotations::default()
+    };
     Some(Scene::new(grid, annotations))
 }
 

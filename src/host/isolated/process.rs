@@ -5,13 +5,13 @@ use super::wire::{self, Answer, Reply, Request, SceneHeader};
 use super::{Limits, VERB};
 use planform_sdk::abi::host::{exact, note};
 use planform_sdk::{
-    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene,
-    Source,
+    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, Picture, PluginError, PluginInfo,
+    Probe, ReadWatcher, Scene, Source,
 };
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -58,7 +58,7 @@ impl Process {
     /// The adapters and exporters of the library; or why it has none, in words that follow the library's name.
     pub fn describe(self: &Arc<Self>) -> Result<(Vec<Remote>, Vec<Remote>), String> {
         let time = self.limits.time.min(LOADING);
-        match self.ask_within(Request::Describe, vec![], time) {
+        match self.ask_within(Request::Describe, vec![], time, &mut ()) {
             Ok((Answer::Described { adapters, exporters }, _)) => {
                 let remotes = |infos: Vec<PluginInfo>| {
                     let remote = |(number, info)| Remote { process: Arc::clone(self), number, info };
@@ -90,7 +90,7 @@ impl Process {
 
     /// Asks the process, which is started if it does not run.
     fn ask(&self, request: Request, block: Vec<u8>) -> Result<(Answer, Vec<u8>), PluginError> {
-        self.ask_within(request, block, self.limits.time)
+        self.ask_within(request, block, self.limits.time, &mut ())
     }
 
     fn ask_within(
@@ -98,6 +98,7 @@ impl Process {
         request: Request,
         block: Vec<u8>,
         time: Duration,
+        watcher: &mut dyn ReadWatcher,
     ) -> Result<(Answer, Vec<u8>), PluginError> {
         let limits = Limits { time, ..self.limits.clone() };
         let mut running = self.running.lock().unwrap_or_else(PoisonError::into_inner);
@@ -105,7 +106,7 @@ impl Process {
             Some(started) => started,
             None => Running::start(&self.library, &self.limits).map_err(|e| self.cannot_start(&e))?,
         };
-        let (Reply { answer, logged }, block) = match started.ask(request, block, &limits) {
+        let (Reply { answer, logged }, block) = match started.ask(request, block, &limits, watcher) {
             Ok((reply, started)) => {
                 *running = Some(started);
                 reply
@@ -184,13 +185,23 @@ impl Running {
         request: Request,
         block: Vec<u8>,
         limits: &Limits,
+        watcher: &mut dyn ReadWatcher,
     ) -> Result<(Answered, Self), Box<Death>> {
         // A process that is gone takes no call, and gives no answer either.
         let _ = self.calls.send((request, block));
-        let end = Instant::now() + limits.time;
+        let mut end = Instant::now() + limits.time;
         loop {
             match self.replies.recv_timeout(LOOK.min(end.saturating_duration_since(Instant::now()))) {
                 Ok((Reply { answer: Answer::Ready(own), .. }, _)) => self.own = Some(own),
+                Ok((Reply { answer: Answer::Stage { name, sides }, .. }, rgb)) => {
+                    let start = Instant::now();
+                    if start >= end {
+                        return Err(Box::new(self.end(true)));
+                    }
+                    watcher.stage(&name, sides.and_then(|(w, h)| Picture::new(w, h, &rgb)));
+                    // The plugin waits meanwhile, which is no fault of its own.
+                    end += start.elapsed();
+                }
                 Ok(reply) => return Ok((reply, self)),
                 Err(RecvTimeoutError::Timeout) if self.goes_on(limits) && Instant::now() < end => {}
                 Err(e) => {
@@ -275,7 +286,8 @@ fn speak(mut input: ChildStdin) -> Sender<Call> {
 
 /// Reads replies as they come. The channel closes when the process closes its output, or says what makes no sense.
 fn hear(output: ChildStdout, limit: u64) -> Receiver<Answered> {
-    let (replies, received) = channel();
+    // A reply waits here and no more do: pictures are large.
+    let (replies, received) = sync_channel(1);
     thread::spawn(move || {
         let mut output = BufReader::new(output);
         while let Ok(reply) = wire::receive(&mut output, limit) {
@@ -342,13 +354,24 @@ impl InputAdapter for Remote {
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        self.read_watched(source, options, &mut ())
+    }
+
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
         let request = Request::Read {
             adapter: self.number,
             path: source.path.clone().into(),
             byte_limit: source.byte_limit,
             options: options.values(),
+            pictures: watcher.wants_pictures(),
         };
-        match self.process.ask(request, source.bytes.clone())? {
+        let process = &self.process;
+        match process.ask_within(request, source.bytes.clone(), process.limits.time, watcher)? {
             (Answer::Scene(header), cells) => header.with(&cells).map_err(|_| out_of_turn()),
             _ => Err(out_of_turn()),
         }
@@ -372,7 +395,7 @@ impl Exporter for Remote {
         let request = Request::Write {
             exporter: self.number,
             layout: Box::new(document.layout.clone()),
-            scene: document.scene.map(SceneHeader::of),
+            scene: document.scene.map(|scene| Box::new(SceneHeader::of(scene))),
             options: options.values(),
         };
         let cells = document.scene.map(|scene| wire::cells_of(&scene.grid)).unwrap_or_default();

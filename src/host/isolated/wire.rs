@@ -20,10 +20,10 @@ pub enum Request {
     Describe,
     /// Whose document is it? The block is its first bytes.
     Probe { adapter: usize, path: PathName },
-    /// Read the document in the block.
-    Read { adapter: usize, path: PathName, byte_limit: u64, options: Values },
+    /// Read the document in the block. The stages come with their pictures only if they are wanted.
+    Read { adapter: usize, path: PathName, byte_limit: u64, options: Values, pictures: bool },
     /// Write the layout. The block is the grid's cells.
-    Write { exporter: usize, layout: Box<Layout>, scene: Option<SceneHeader>, options: Values },
+    Write { exporter: usize, layout: Box<Layout>, scene: Option<Box<SceneHeader>>, options: Values },
     /// Do this check of the conformance suite. The block is the sample document, if there is a path.
     Check { number: usize, path: Option<PathName> },
 }
@@ -39,6 +39,8 @@ pub enum Answer {
     Unusable(String),
     /// How sure the adapter is.
     Claim(Confidence),
+    /// Said while a document is read: a stage is done. The block is its picture, if there are sides.
+    Stage { name: String, sides: Option<(u32, u32)> },
     /// What was read. The block is the grid's cells.
     Scene(SceneHeader),
     /// The output is the block.

@@ -5,9 +5,10 @@ use crate::host::conformance::{self, Subject};
 use crate::host::library;
 use planform_sdk::abi::host::{Plugin, logged};
 use planform_sdk::{
-    Document, ErrorKind, Exporter, InputAdapter, Layout, Options, PluginError, PluginInfo, Probe, Source,
+    Document, ErrorKind, Exporter, InputAdapter, Layout, Options, Picture, PluginError, PluginInfo, Probe,
+    ReadWatcher, Source,
 };
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
@@ -31,7 +32,7 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
     let plugin = library::load(library);
     for (request, block) in calls {
         let (answer, block) = match &plugin {
-            Ok(plugin) => answer(plugin, request, block),
+            Ok(plugin) => answer(plugin, request, block, &mut out),
             Err(reason) => (Answer::Unusable(reason.clone()), vec![]),
         };
         library::flush_output();
@@ -100,13 +101,18 @@ fn end() {
 }
 
 /// What the plugin answers, and the block with it.
-fn answer(plugin: &Plugin, request: Request, block: Vec<u8>) -> (Answer, Vec<u8>) {
+fn answer(
+    plugin: &Plugin,
+    request: Request,
+    block: Vec<u8>,
+    out: &mut (impl Write + Send),
+) -> (Answer, Vec<u8>) {
     let answer = match request {
         Request::Describe => Ok((describe(plugin), vec![])),
         Request::Probe { adapter, path } => probe(plugin, adapter, Path::new(&path), &block),
-        Request::Read { adapter, path, byte_limit, options } => {
+        Request::Read { adapter, path, byte_limit, options, pictures } => {
             let source = Source { path: path.into(), bytes: block, byte_limit };
-            read(plugin, adapter, &source, options)
+            read(plugin, adapter, &source, options, &mut Teller { out, pictures })
         }
         Request::Write { exporter, layout, scene, options } => {
             write(plugin, exporter, &layout, scene, &block, options)
@@ -114,6 +120,27 @@ fn answer(plugin: &Plugin, request: Request, block: Vec<u8>) -> (Answer, Vec<u8>
         Request::Check { number, path } => Ok((check(plugin, number, path, block), vec![])),
     };
     answer.unwrap_or_else(|e| (Answer::Failed(e), vec![]))
+}
+
+/// Tells the program of the stages of a reading.
+struct Teller<'a, W> {
+    out: &'a mut W,
+    pictures: bool,
+}
+
+impl<W: Write + Send> ReadWatcher for Teller<'_, W> {
+    fn wants_pictures(&self) -> bool {
+        self.pictures
+    }
+
+    fn stage(&mut self, name: &str, picture: Option<Picture<'_>>) {
+        let picture = picture.filter(|_| self.pictures);
+        let sides = picture.map(|p| (p.width(), p.height()));
+        let rgb = picture.map_or([].as_slice(), |p| p.rgb());
+        let answer = Answer::Stage { name: name.into(), sides };
+        // Fails when nobody listens any more: then this process ends.
+        let _ = wire::send(self.out, &Reply { answer, logged: vec![] }, rgb);
+    }
 }
 
 fn describe(plugin: &Plugin) -> Answer {
@@ -132,9 +159,16 @@ fn probe(plugin: &Plugin, adapter: usize, path: &Path, head: &[u8]) -> Answered 
     Ok((Answer::Claim(confidence), vec![]))
 }
 
-fn read(plugin: &Plugin, adapter: usize, source: &Source, options: Values) -> Answered {
+fn read(
+    plugin: &Plugin,
+    adapter: usize,
+    source: &Source,
+    options: Values,
+    watcher: &mut dyn ReadWatcher,
+) -> Answered {
     let adapter = plugin.adapters.get(adapter).ok_or_else(no_such)?;
-    let scene = adapter.read(source, &Options::of_values(&adapter.info().options, options)?)?;
+    let options = Options::of_values(&adapter.info().options, options)?;
+    let scene = adapter.read_watched(source, &options, watcher)?;
     Ok((Answer::Scene(SceneHeader::of(&scene)), wire::cells_of(&scene.grid)))
 }
 
@@ -142,7 +176,7 @@ fn write(
     plugin: &Plugin,
     exporter: usize,
     layout: &Layout,
-    scene: Option<SceneHeader>,
+    scene: Option<Box<SceneHeader>>,
     cells: &[u8],
     options: Values,
 ) -> Answered {

@@ -1,14 +1,15 @@
 //! From a scene to a layout: the steps in their order.
 
+use super::super::doors::{self, Door};
 use super::super::drawings::{self, Scale};
 use super::super::finish::{self, Frame};
+use super::super::names::{self, Called};
 use super::super::openings::Gap;
 use super::super::raster::Mask;
 use super::super::straight::{self, Labelled, Plan, RoomPlan, StraightWall};
 use super::super::{Drawing, Observer, Params, ReconstructError, Step};
 use super::explored::{self, Border, Knowledge};
 use super::model::Model;
-use super::regions::Regions;
 use super::space::Space;
 use super::{Cut, aligned, merge, pockets};
 use planform_sdk::{Frontier, Grid, Layout, Opening, Room, RoomId, RoomState, Scene, Wall};
@@ -21,14 +22,25 @@ pub fn reconstruct(
 ) -> Result<Layout, ReconstructError> {
     let mut run = Run { params, observer };
     let map = Map::of(&scene.grid, params);
-    let cut = run.cut(&scene.grid, &map)?;
+    let doors = doors::of_scene(scene);
+    let cut = run.cut(&scene.grid, &map, &doors)?;
     if !map.obstacles.bits().contains(&true) {
         return Err(ReconstructError::NoWalls);
     }
     let rooms = run.rooms(&cut, &scene.grid, &map);
     let known = run.known(&map, &rooms, scene.grid.resolution());
     let plan = run.plan(&map, &known, scene.grid.resolution());
-    Ok(layout(scene, params, &plan, &known))
+    Ok(layout(
+        params,
+        &Found {
+            scene,
+            frame: Frame(&scene.grid),
+            plan: &plan,
+            known: &known,
+            doors: &doors,
+            ids: ids(&plan),
+        },
+    ))
 }
 
 struct Run<'a> {
@@ -71,12 +83,12 @@ impl Run<'_> {
         }
     }
 
-    fn cut(&mut self, grid: &Grid, map: &Map) -> Result<Cut, ReconstructError> {
+    fn cut(&mut self, grid: &Grid, map: &Map, doors: &[Door]) -> Result<Cut, ReconstructError> {
         self.observer.step(Step::Clutter);
         let space = Space::of_mask(&map.free, grid.resolution(), &self.params.furniture)
             .ok_or(ReconstructError::NoFreeSpace)?;
         self.observer.step(Step::Basins);
-        let cut = Cut::of_space(space);
+        let cut = Cut::at_doors(space, doors);
         self.draw(Step::Clutter, || {
             let free: Vec<u32> = cut.space.free.iter().map(|&f| u32::from(f)).collect();
             let free = map.free.with_bits(cut.on_grid(grid, &free).iter().map(|&f| f == 1).collect());
@@ -89,7 +101,7 @@ impl Run<'_> {
     fn rooms(&mut self, cut: &Cut, grid: &Grid, map: &Map) -> Rooms {
         self.observer.step(Step::Rooms);
         let view = cut.view();
-        let mut regions = Regions::of_basins(&view, &cut.basins);
+        let mut regions = cut.regions(&view);
         merge::rooms(&mut regions, &Model::default(), &self.params.merge);
         let mut label = cut.on_grid(grid, &cut.labels(&regions, false));
         pockets::fill(&mut label, &map.closed(), grid.resolution(), &self.params.furniture);
@@ -132,17 +144,18 @@ fn everywhere(map: &Mask) -> Mask {
     map.with_bits(vec![true; map.bits().len()])
 }
 
-fn layout(scene: &Scene, params: &Params, plan: &Plan, known: &Knowledge) -> Layout {
-    let found = Found { scene, frame: Frame(&scene.grid), plan, known, ids: ids(plan) };
+fn layout(params: &Params, found: &Found<'_>) -> Layout {
+    let scene = found.scene;
     Layout {
         rooms: found.rooms(),
         walls: found.walls(),
         openings: found.openings(),
         frontiers: found.frontiers(),
-        lines: aligned::lines(&plan.walls, params, &found.frame),
+        lines: aligned::lines(&found.plan.walls, params, &found.frame),
         texts: scene.texts.clone(),
         symbols: scene.symbols.clone(),
         anchor: scene.anchor,
+        scale: scene.scale.clone(),
         provenance: scene.provenance.clone(),
         method: params.method.name().into(),
     }
@@ -164,6 +177,7 @@ struct Found<'a> {
     frame: Frame<'a>,
     plan: &'a Plan,
     known: &'a Knowledge,
+    doors: &'a [Door],
     ids: Vec<Option<RoomId>>,
 }
 
@@ -176,9 +190,11 @@ impl Found<'_> {
         let room = |(i, room): (usize, &Option<RoomPlan>)| {
             let room = room.as_ref()?;
             let inner = self.frame.polygon(&room.floor);
+            let Called { name, stated_area } = names::of_room(&self.scene.texts, &inner);
             Some(Room {
                 id: self.id(i)?,
-                name: finish::name(self.scene, &inner),
+                name,
+                stated_area,
                 state: if self.known.partial[i] { RoomState::Partial } else { RoomState::Complete },
                 centre: self.frame.polygon(&room.centre),
                 inner,
@@ -201,7 +217,8 @@ impl Found<'_> {
     fn openings(&self) -> Vec<Opening> {
         let opening = |gap: &Gap| {
             let [a, b] = [self.id(gap.rooms[0])?, self.id(gap.rooms[1])?];
-            Some(Opening { rooms: [a.min(b), a.max(b)], ..finish::opening(&self.frame, gap) })
+            let gap = doors::settled(gap, self.doors);
+            Some(Opening { rooms: [a.min(b), a.max(b)], ..finish::opening(&self.frame, &gap) })
         };
         self.plan.openings.iter().filter_map(opening).collect()
     }

@@ -37,6 +37,9 @@ impl Default for Merge {
 /// A nook with less than this probability stays alone: it lies behind a wall.
 const ALONE: f64 = 0.05;
 
+/// What a known door adds to the log odds that the regions on its sides are one room: it outweighs all else.
+const DOOR: f64 = -12.0;
+
 /// Merges regions until none is left to merge. `seen` is told of every pair in the order in which they are looked
 /// at, with its evidence, and decides whether the two are one room.
 pub fn agglomerate(
@@ -107,8 +110,10 @@ struct Queue {
 impl Queue {
     fn push(&mut self, regions: &mut Regions<'_>, model: &Model, pair: (u32, u32)) {
         let Some(evidence) = evidence::weigh(regions, pair.0, pair.1) else { return };
+        let door = if regions.door(pair.0, pair.1) { DOOR } else { 0.0 };
+        let odds = model.log_odds(&evidence) + door;
         let version = self.versions.entry(pair).and_modify(|v| *v += 1).or_default();
-        self.heap.push(Waiting { odds: model.log_odds(&evidence), pair, version: *version, evidence });
+        self.heap.push(Waiting { odds, pair, version: *version, evidence });
     }
 
     fn pop(&mut self, regions: &Regions<'_>) -> Option<Waiting> {
@@ -139,8 +144,11 @@ fn join_corridors(regions: &mut Regions<'_>, params: &Merge) {
 }
 
 /// The clearance of the widest passage between two regions over half the mean width of the wider one; none if one of
-/// them is less elongated than asked for.
+/// them is less elongated than asked for, or if a known door is between them.
 fn relative_width(regions: &mut Regions<'_>, (a, b): (u32, u32), elongation: f64) -> Option<f64> {
+    if regions.door(a, b) {
+        return None;
+    }
     let [wide, width] = [a, b].map(|r| {
         let region = regions.get(r)?;
         // A strip has a mean clearance of a quarter of its width.

@@ -7,6 +7,7 @@
 
 mod aligned;
 pub mod clearance;
+mod doors;
 pub mod evidence;
 pub mod explored;
 pub mod hull;
@@ -21,12 +22,14 @@ pub mod watershed;
 mod weights;
 
 use super::Params;
+use super::doors::Door;
 use super::raster::Mask;
 use clearance::Clearance;
 use passage::View;
 use planform_sdk::{Cell, Grid};
 use regions::Regions;
 use space::Space;
+use std::collections::BTreeMap;
 use watershed::Basins;
 
 pub use explored::Explored;
@@ -42,6 +45,8 @@ pub struct Cut {
     pub clearance: Clearance,
     /// Its basins.
     pub basins: Basins,
+    /// Metres of known door between two basins, the smaller first.
+    doors: BTreeMap<(u32, u32), f64>,
 }
 
 /// A room is at least this large, square metres.
@@ -60,9 +65,22 @@ impl Cut {
 
     /// Cuts a space.
     pub fn of_space(space: Space) -> Self {
+        Self::at_doors(space, &[])
+    }
+
+    /// Cuts a space, along these doors in any case.
+    pub fn at_doors(space: Space, known: &[Door]) -> Self {
         let clearance = clearance::measure(&space);
-        let basins = watershed::cut(&space, &clearance);
-        Self { space, clearance, basins }
+        let basins = watershed::cut(&space, &clearance, &doors::cells(&space, known));
+        let doors = doors::between(&space, &basins.label, known);
+        Self { space, clearance, basins, doors }
+    }
+
+    /// One region for each basin.
+    pub fn regions<'a>(&self, view: &'a View<'a>) -> Regions<'a> {
+        let mut regions = Regions::of_basins(view, &self.basins);
+        regions.know_doors(&self.doors);
+        regions
     }
 
     /// What the evidence is read from.

@@ -8,6 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Walls up to twice this thickness have a region on either side, metres.
 const WALL: f64 = 0.35;
 
+/// Two regions with less known door between them only touch at its jamb, metres.
+const DOOR: f64 = 0.3;
+
 /// A region: one basin or several.
 #[derive(Debug, Clone, Default)]
 pub struct Region {
@@ -29,6 +32,8 @@ pub struct Region {
     pub beside: BTreeSet<u32>,
     /// Metres of wall that it shares with other regions.
     walls: BTreeMap<u32, f64>,
+    /// Metres of known door that it shares with other regions.
+    doors: BTreeMap<u32, f64>,
 }
 
 impl Region {
@@ -114,6 +119,19 @@ impl<'a> Regions<'a> {
         self.get(a).and_then(|r| r.walls.get(&b)).copied().unwrap_or(0.0)
     }
 
+    /// Tells of known doors: metres of door between two regions.
+    pub fn know_doors(&mut self, doors: &BTreeMap<(u32, u32), f64>) {
+        for (&(a, b), &metres) in doors {
+            self.regions[a as usize].doors.insert(b, metres);
+            self.regions[b as usize].doors.insert(a, metres);
+        }
+    }
+
+    /// Whether a known door parts two regions.
+    pub fn door(&self, a: u32, b: u32) -> bool {
+        self.get(a).and_then(|r| r.doors.get(&b)).is_some_and(|&metres| metres >= DOOR)
+    }
+
     /// The passages between two regions.
     pub fn passages(&mut self, a: u32, b: u32) -> &[Passage] {
         let Some(boundary) = self.boundaries.get_mut(&pair(a, b)) else { return &[] };
@@ -127,7 +145,8 @@ impl<'a> Regions<'a> {
         let merged = std::mem::take(&mut self.regions[gone as usize]);
         self.boundaries.remove(&pair(a, b));
         self.take_boundaries(kept, gone, &merged);
-        self.take_walls(kept, gone, &merged);
+        self.take_shared(kept, gone, &merged.walls, |r| &mut r.walls);
+        self.take_shared(kept, gone, &merged.doors, |r| &mut r.doors);
         let resolution = self.view.space.resolution;
         let region = &mut self.regions[kept as usize];
         region.area += merged.area;
@@ -160,13 +179,20 @@ impl<'a> Regions<'a> {
         }
     }
 
-    fn take_walls(&mut self, kept: u32, gone: u32, merged: &Region) {
-        self.regions[kept as usize].walls.remove(&gone);
-        for (&other, &length) in merged.walls.iter().filter(|w| *w.0 != kept) {
-            let walls = &mut self.regions[other as usize].walls;
-            walls.remove(&gone);
-            *walls.entry(kept).or_default() += length;
-            *self.regions[kept as usize].walls.entry(other).or_default() += length;
+    /// What a merged region shared with others is shared by the one that it became part of.
+    fn take_shared(
+        &mut self,
+        kept: u32,
+        gone: u32,
+        shared: &BTreeMap<u32, f64>,
+        of: fn(&mut Region) -> &mut BTreeMap<u32, f64>,
+    ) {
+        of(&mut self.regions[kept as usize]).remove(&gone);
+        for (&other, &length) in shared.iter().filter(|w| *w.0 != kept) {
+            let theirs = of(&mut self.regions[other as usize]);
+            theirs.remove(&gone);
+            *theirs.entry(kept).or_default() += length;
+            *of(&mut self.regions[kept as usize]).entry(other).or_default() += length;
         }
     }
 }
@@ -201,6 +227,7 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
             cells: cells[l],
             beside: BTreeSet::new(),
             walls: BTreeMap::new(),
+            doors: BTreeMap::new(),
         }
     };
     // Basins are numbered from 1; the first region stays empty.

@@ -24,17 +24,37 @@ pub struct Basins {
     pub count: u32,
 }
 
-/// Cuts the space.
-pub fn cut(space: &Space, clearance: &Clearance) -> Basins {
+/// Cuts the space. No basin crosses the cells that `doors` marks, if it marks any.
+pub fn cut(space: &Space, clearance: &Clearance, doors: &[bool]) -> Basins {
     let smooth = smoothed(space, &clearance.metres);
-    let order = falling(space, &smooth);
+    let mut order = falling(space, &smooth);
+    if !doors.is_empty() {
+        order.retain(|&cell| !doors[cell as usize]);
+    }
     let mut rise = RISE;
-    loop {
-        let basins = flood(space, &smooth, &order, rise);
-        if basins.count <= MOST {
-            return basins;
-        }
+    let mut basins = flood(space, &smooth, &order, rise);
+    while basins.count > MOST {
         rise *= 4.0;
+        basins = flood(space, &smooth, &order, rise);
+    }
+    share_out(space, doors, &mut basins.label);
+    basins
+}
+
+/// Gives the cells of doors to the basins beside them, the nearest first.
+fn share_out(space: &Space, doors: &[bool], label: &mut [u32]) {
+    let mut left: Vec<usize> = (0..doors.len()).filter(|&i| doors[i]).collect();
+    loop {
+        let beside = |i: usize| {
+            let around = [i - 1, i + 1, i - space.width, i + space.width];
+            around.into_iter().map(|j| label[j]).find(|&l| l != 0)
+        };
+        let given: Vec<(usize, u32)> = left.iter().filter_map(|&i| Some((i, beside(i)?))).collect();
+        if given.is_empty() {
+            return;
+        }
+        given.iter().for_each(|&(i, basin)| label[i] = basin);
+        left.retain(|&i| label[i] == 0);
     }
 }
 
@@ -198,7 +218,7 @@ mod tests {
         rows.extend(vec![room.as_str(); 9]);
         rows.push(&wall);
         let space = space(&rows, 0.1);
-        let basins = cut(&space, &clearance::measure(&space));
+        let basins = cut(&space, &clearance::measure(&space), &[]);
         let at = |x: usize, y: usize| basins.label[(y + 1) * space.width + x + 1];
         assert!(at(3, 11) != at(38, 11));
         assert_eq!(at(3, 11), at(15, 11));

@@ -51,6 +51,7 @@ fn room(id: u32, name: Option<&str>, inner: Vec<Point>, centre: Vec<Point>) -> R
     Room {
         id,
         name: name.map(Into::into),
+        stated_area: None,
         state: RoomState::Complete,
         inner: polygon(inner),
         centre: polygon(centre),
@@ -124,6 +125,7 @@ pub fn flat() -> Layout {
             width: 0.3,
             height: 0.1,
             score: 0.7,
+            leaves: vec![],
         }],
         ..Layout::default()
     }

@@ -50,7 +50,8 @@ mod tests {
     /// A room with this outline, with doors to so many others.
     fn judged(outline: &[[f64; 2]], doors: u32) -> bool {
         let inner = Polygon::new(outline.iter().copied().map(Point::from).collect(), vec![]);
-        let room = Room { id: 1, name: None, state: RoomState::Complete, centre: inner.clone(), inner };
+        let centre = inner.clone();
+        let room = Room { id: 1, name: None, stated_area: None, state: RoomState::Complete, centre, inner };
         let door = |n| Opening { kind: OpeningKind::Door, segment: Segment::default(), rooms: [1, n + 2] };
         let layout = Layout {
             rooms: vec![room.clone()],

@@ -36,7 +36,8 @@ fn read(layout: &Layout) -> Osm {
 /// A room of this outline.
 fn room(id: u32, name: &str, corners: [[f64; 2]; 4]) -> Room {
     let inner = Polygon::new(corners.map(Point::from).to_vec(), vec![]);
-    Room { id, name: Some(name.into()), state: RoomState::Complete, centre: inner.clone(), inner }
+    let (name, centre) = (Some(name.into()), inner.clone());
+    Room { id, name, stated_area: None, state: RoomState::Complete, centre, inner }
 }
 
 fn rooms(rooms: Vec<Room>) -> Layout {

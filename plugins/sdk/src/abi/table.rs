@@ -101,6 +101,8 @@ tables! {
     PlanformText.confidence "the text",
     PlanformSymbol.score "the symbol",
     PlanformAnchor.y "the anchor",
+    PlanformScale.confidence "the scale",
+    PlanformStage.rgb_length "the stage",
     PlanformSceneSink.fail "the scene's sink",
     PlanformDocument.scene "the document",
     PlanformOutput.fail "the output",

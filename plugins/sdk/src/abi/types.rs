@@ -6,7 +6,7 @@ use std::ffi::{c_char, c_void};
 /// at the end of some structs.
 pub const PLANFORM_ABI_MAJOR: u32 = 1;
 /// See PLANFORM_ABI_MAJOR.
-pub const PLANFORM_ABI_MINOR: u32 = 0;
+pub const PLANFORM_ABI_MINOR: u32 = 1;
 
 /// How a call ended: PLANFORM_OK or what went wrong.
 pub type PlanformStatus = i32;
@@ -27,6 +27,9 @@ pub const PLANFORM_PLUGIN_FAULT: i32 = 6;
 
 /// The flag of a plugin whose functions may be called from several threads at the same time.
 pub const PLANFORM_THREAD_SAFE: u64 = 1;
+
+/// The flag of a sink that makes use of the stages' pictures. Since version 1.1.
+pub const PLANFORM_WANTS_PICTURES: u64 = 1;
 
 /// What PlanformProblem.position counts: nothing, the problem has no place.
 pub const PLANFORM_NOWHERE: u32 = 0;
@@ -247,7 +250,25 @@ pub struct PlanformText {
     pub confidence: f64,
 }
 
-/// A symbol that a document shows, such as a fire extinguisher.
+/// A leaf of a door as a plan draws it, in the map frame. No version changes it: it stands in arrays.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PlanformDoorLeaf {
+    /// The point that it turns about: metres to the right.
+    pub hinge_x: f64,
+    /// The same, metres up.
+    pub hinge_y: f64,
+    /// Where its free end lies when it is closed: metres to the right.
+    pub closed_x: f64,
+    /// The same, metres up.
+    pub closed_y: f64,
+    /// Where its free end lies when it is as far open as drawn: metres to the right.
+    pub open_x: f64,
+    /// The same, metres up.
+    pub open_y: f64,
+}
+
+/// A symbol that a document shows, such as a fire extinguisher or a door.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct PlanformSymbol {
@@ -267,6 +288,10 @@ pub struct PlanformSymbol {
     pub height: f64,
     /// From 0 (a guess) to 1 (certain).
     pub score: f64,
+    /// The leaves of a door that swings, as drawn; may be NULL. Since version 1.1.
+    pub leaves: *const PlanformDoorLeaf,
+    /// How many there are. Since version 1.1.
+    pub leaf_count: usize,
 }
 
 /// Where the map frame lies on the Earth.
@@ -285,6 +310,39 @@ pub struct PlanformAnchor {
     pub x: f64,
     /// The same, metres up.
     pub y: f64,
+}
+
+/// How large a document shows the building. Since version 1.1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PlanformScale {
+    /// sizeof(PlanformScale).
+    pub size: usize,
+    /// Length in the building of a pixel of the document, metres.
+    pub metres_per_pixel: f64,
+    /// What it was found by, for the user's eyes: "written scale 1:100".
+    pub source: PlanformString,
+    /// From 0 (a guess) to 1 (certain).
+    pub confidence: f64,
+}
+
+/// A stage of an adapter's work that is done, for who looks on. Since version 1.1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PlanformStage {
+    /// sizeof(PlanformStage).
+    pub size: usize,
+    /// What it is called, in lower-case letters, digits and hyphens: "deskew".
+    pub name: PlanformString,
+    /// Columns of its picture.
+    pub width: u32,
+    /// Rows of its picture.
+    pub height: u32,
+    /// The picture: red, green and blue of each pixel, row by row from the top, each from left to right. NULL for none,
+    /// as when PLANFORM_WANTS_PICTURES is not set.
+    pub rgb: *const u8,
+    /// How many bytes there are: three times width times height.
+    pub rgb_length: usize,
 }
 
 /// Takes what an adapter finds in a document. Valid until the call returns. A callback copies what it is given; one
@@ -314,6 +372,16 @@ pub struct PlanformSceneSink {
     ) -> PlanformStatus,
     /// Takes what went wrong and returns its status, for the adapter to return.
     pub fail: unsafe extern "C" fn(context: *mut c_void, problem: *const PlanformProblem) -> PlanformStatus,
+    /// Takes the scale of a document whose cells were not measured, such as a plan. Since version 1.1: only there if
+    /// `size` says so.
+    pub scale:
+        Option<unsafe extern "C" fn(context: *mut c_void, scale: *const PlanformScale) -> PlanformStatus>,
+    /// PLANFORM_WANTS_PICTURES, or 0. Since version 1.1.
+    pub flags: u64,
+    /// Takes a stage of the work when it is done; to be called for each, or never. Since version 1.1: only there if
+    /// `size` says so.
+    pub stage:
+        Option<unsafe extern "C" fn(context: *mut c_void, stage: *const PlanformStage) -> PlanformStatus>,
 }
 
 /// What an exporter writes. Valid until the call returns.

@@ -172,6 +172,39 @@ unsafe fn hand_over(sink: *const PlanformSceneSink, grid: &PlanformGrid) -> Plan
     unsafe { ((*sink).grid)((*sink).context, grid) }
 }
 
+const LEAF: PlanformDoorLeaf =
+    PlanformDoorLeaf { hinge_x: 0.0, hinge_y: 0.0, closed_x: 1.0, closed_y: 0.0, open_x: 0.0, open_y: 1.0 };
+
+/// A door that says that it has these leaves.
+fn door(leaves: *const PlanformDoorLeaf, leaf_count: usize) -> PlanformSymbol {
+    PlanformSymbol {
+        size: size_of::<PlanformSymbol>(),
+        kind: PlanformString { data: c"door".as_ptr(), length: 4 },
+        x: 0.0,
+        y: 0.0,
+        yaw: 0.0,
+        width: 1.0,
+        height: 1.0,
+        score: 1.0,
+        leaves,
+        leaf_count,
+    }
+}
+
+static PIXELS: [u8; 6] = [0; 6];
+
+/// A stage with a picture of two pixels that says that it has so many bytes.
+fn stage(rgb_length: usize) -> PlanformStage {
+    PlanformStage {
+        size: size_of::<PlanformStage>(),
+        name: PlanformString { data: c"a".as_ptr(), length: 1 },
+        width: 2,
+        height: 1,
+        rgb: PIXELS.as_ptr(),
+        rgb_length,
+    }
+}
+
 macro_rules! reads {
     ($($name:ident |$source:ident, $sink:ident| $body:block)*) => {
         $(#[allow(unused_unsafe)]
@@ -225,6 +258,26 @@ reads! {
         };
         ((*sink).anchor)((*sink).context, &anchor)
     }
+    no_leaves |_source, sink| { ((*sink).symbol)((*sink).context, &door(ptr::null(), 1)) }
+    many_leaves |_source, sink| { ((*sink).symbol)((*sink).context, &door(&LEAF, usize::MAX)) }
+    endless_leaf |_source, sink| {
+        let leaf = PlanformDoorLeaf { open_y: f64::INFINITY, ..LEAF };
+        ((*sink).symbol)((*sink).context, &door(&leaf, 1))
+    }
+    absurd_scale |_source, sink| {
+        let (source, size) = (PlanformString::NULL, size_of::<PlanformScale>());
+        let scale = PlanformScale { size, metres_per_pixel: f64::NAN, source, confidence: 1.0 };
+        ((*sink).scale.unwrap())((*sink).context, &scale)
+    }
+    short_picture |_source, sink| { ((*sink).stage.unwrap())((*sink).context, &stage(5)) }
+    shows_a_stage |_source, sink| {
+        assert_eq!((*sink).flags, 0);
+        assert_eq!(((*sink).stage.unwrap())((*sink).context, &stage(6)), PLANFORM_OK);
+        // A symbol as version 1.0 had it: what lies behind it is not looked at.
+        let old = PlanformSymbol { size: std::mem::offset_of!(PlanformSymbol, leaves), ..door(ptr::null(), 7) };
+        assert_eq!(((*sink).symbol)((*sink).context, &old), PLANFORM_OK);
+        hand_over(sink, &grid(&[0], 1, 1))
+    }
     sibling_gone |source, _sink| {
         let name = PlanformString { data: c"no-such-file".as_ptr(), length: 12 };
         let mut length = 0usize;
@@ -256,6 +309,11 @@ fn calls_that_break_the_rules_are_refused() {
         (null_problem, ErrorKind::Plugin, "the problem is missing"),
         (not_utf8, ErrorKind::Plugin, "a warning is not UTF-8"),
         (not_finite, ErrorKind::Plugin, "not finite"),
+        (no_leaves, ErrorKind::Plugin, "the leaves of a symbol are missing"),
+        (many_leaves, ErrorKind::Plugin, "more than 100 leaves"),
+        (endless_leaf, ErrorKind::Plugin, "a leaf of a symbol has a number that is not finite"),
+        (absurd_scale, ErrorKind::Plugin, "the scale has a number that is not finite"),
+        (short_picture, ErrorKind::Plugin, "2 x 1 pixels has 5 bytes"),
         (sibling_gone, ErrorKind::Io, "no-such-file"),
     ] {
         let e = run(read).unwrap_err();
@@ -263,6 +321,7 @@ fn calls_that_break_the_rules_are_refused() {
         assert!(e.message.contains(words), "{words}: {e}");
     }
     assert_eq!(run(gets_over_it).unwrap().grid.cells().len(), 1);
+    assert!(run(shows_a_stage).unwrap().symbols[0].leaves.is_empty());
 }
 
 #[test]

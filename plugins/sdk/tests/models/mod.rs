@@ -1,8 +1,9 @@
 //! Scenes and layouts of every kind, with every field set in some.
 
 use planform_sdk::{
-    Annotations, Cell, Frontier, FrontierKind, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon,
-    Pose, Provenance, RepresentativeLine, Room, RoomState, Segment, Symbol, Text, Wall,
+    Annotations, Cell, DoorLeaf, Frontier, FrontierKind, GeoAnchor, Grid, Layout, Opening, OpeningKind,
+    Point, Polygon, Pose, Provenance, RepresentativeLine, Room, RoomState, Scale, Segment, Symbol, Text,
+    Wall,
 };
 use proptest::collection::vec;
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
@@ -50,9 +51,26 @@ prop_compose! {
 }
 
 prop_compose! {
-    fn symbol()(kind in string(), pose in pose(), sizes in [number(), number(), number()]) -> Symbol {
+    fn leaf()(hinge in point(), closed in point(), open in point()) -> DoorLeaf {
+        DoorLeaf { hinge, closed, open }
+    }
+}
+
+prop_compose! {
+    fn symbol()(
+        kind in string(),
+        pose in pose(),
+        sizes in [number(), number(), number()],
+        leaves in vec(leaf(), 0..3),
+    ) -> Symbol {
         let [width, height, score] = sizes;
-        Symbol { kind, pose, width, height, score }
+        Symbol { kind, pose, width, height, score, leaves }
+    }
+}
+
+prop_compose! {
+    fn scale()(metres_per_pixel in number(), source in string(), confidence in number()) -> Scale {
+        Scale { metres_per_pixel, source, confidence }
     }
 }
 
@@ -74,10 +92,11 @@ prop_compose! {
         texts in vec(text(), 0..4),
         symbols in vec(symbol(), 0..4),
         anchor in option::of(anchor()),
+        scale in option::of(scale()),
         provenance in provenance(),
         warnings in vec(string(), 0..3),
     ) -> Annotations {
-        Annotations { texts, symbols, anchor, provenance, warnings }
+        Annotations { texts, symbols, anchor, scale, provenance, warnings }
     }
 }
 
@@ -85,11 +104,12 @@ prop_compose! {
     fn room()(
         id: u32,
         name in option::of(string()),
+        stated_area in option::of(number()),
         state in prop_oneof![Just(RoomState::Complete), Just(RoomState::Partial)],
         inner in polygon(),
         centre in polygon(),
     ) -> Room {
-        Room { id, name, state, inner, centre }
+        Room { id, name, stated_area, state, inner, centre }
     }
 }
 
@@ -131,9 +151,10 @@ prop_compose! {
         method in string(),
     ) -> Layout {
         let lines = lines.into_iter().map(|(segment, support)| RepresentativeLine { segment, support });
-        let Annotations { texts, symbols, anchor, provenance, warnings: _ } = notes;
+        let Annotations { texts, symbols, anchor, scale, provenance, warnings: _ } = notes;
         Layout {
-            rooms, walls, openings, frontiers, lines: lines.collect(), texts, symbols, anchor, provenance, method,
+            rooms, walls, openings, frontiers, lines: lines.collect(), texts, symbols, anchor, scale, provenance,
+            method,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What a plugin may be called.
 
 use crate::cli::Failure;
-use crate::cli::plugins::{Listed, all};
+use crate::cli::plugins::all;
 use crate::host::Registry;
 
 /// Words that the Rust compiler or cargo keeps for itself. Those with an underscore are no names anyway.
@@ -39,9 +39,8 @@ pub fn check(name: &str) -> Result<(), Failure> {
 /// The built-in plugin that has this name, or this extension, which would never be asked for this one's files.
 fn taken(name: &str) -> Option<String> {
     let registry = Registry::builtin();
-    let owner = all(&registry).find(|Listed { info, .. }| {
-        info.name == name || info.extensions.iter().any(|extension| extension == name)
-    });
+    let named = all(&registry).find(|l| l.info.name == name);
+    let owner = named.or_else(|| all(&registry).find(|l| l.info.extensions.iter().any(|e| e == name)));
     owner.map(|l| l.info.name.clone())
 }
 

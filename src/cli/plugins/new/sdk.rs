@@ -43,6 +43,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/options.rs"
     "plugins/sdk/src/scene.rs"
     "plugins/sdk/src/schema.rs"
+    "plugins/sdk/src/watch.rs"
 ];
 
 const LICENCES: &[(&str, &str)] = embedded!["LICENSE-APACHE" "LICENSE-MIT"];

@@ -12,7 +12,9 @@ use crate::abi::{
     PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_THREAD_SAFE, PlanformAdapter, PlanformProbe, PlanformSource,
     PlanformStatus, PlanformString, PlanformTake,
 };
-use crate::{Confidence, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, Scene, Source};
+use crate::{
+    Confidence, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, ReadWatcher, Scene, Source,
+};
 use std::cell::RefCell;
 use std::ffi::c_void;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -75,24 +77,33 @@ impl InputAdapter for AbiAdapter {
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
-        self.read_into(self.receiver(source), source, options)?.result
+        self.read_watched(source, options, &mut ())
+    }
+
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        self.read_into(self.receiver(source, watcher), source, options)?.result
     }
 }
 
 impl AbiAdapter {
-    fn receiver(&self, source: &Source) -> Receiver {
-        Receiver::new(Provenance { source: source.name(), adapter: self.info.name.clone() })
+    fn receiver<'a>(&self, source: &Source, watcher: &'a mut dyn ReadWatcher) -> Receiver<'a> {
+        Receiver::new(Provenance { source: source.name(), adapter: self.info.name.clone() }, watcher)
     }
 
     /// Reads a document whose grid is refused, as one of an absurd size is.
     pub fn read_refused(&self, source: &Source, options: &Options) -> Result<Trial<Scene>, PluginError> {
-        self.read_into(self.receiver(source).refusing(), source, options)
+        self.read_into(self.receiver(source, &mut ()).refusing(), source, options)
     }
 
-    fn read_into(
+    fn read_into<'a>(
         &self,
-        receiver: Receiver,
-        source: &Source,
+        receiver: Receiver<'a>,
+        source: &'a Source,
         options: &Options,
     ) -> Result<Trial<Scene>, PluginError> {
         let options = Json::of_options(options)?;
@@ -152,7 +163,7 @@ unsafe extern "C" fn reason(context: *mut c_void, reason: PlanformString) {
 /// A document whose files an adapter asks for.
 struct Files<'a> {
     source: &'a Source,
-    receiver: Receiver,
+    receiver: Receiver<'a>,
 }
 
 unsafe extern "C" fn sibling(

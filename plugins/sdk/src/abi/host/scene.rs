@@ -5,11 +5,13 @@ use super::fault::{Fault, Trial, of_plugin};
 use crate::abi::guard::guard;
 use crate::abi::table::{Table, look};
 use crate::abi::{
-    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PlanformAnchor, PlanformGrid, PlanformProblem, PlanformSceneSink,
-    PlanformStatus, PlanformString, PlanformSymbol, PlanformText,
+    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES, PlanformAnchor, PlanformDoorLeaf,
+    PlanformGrid, PlanformProblem, PlanformScale, PlanformSceneSink, PlanformStage, PlanformStatus,
+    PlanformString, PlanformSymbol, PlanformText,
 };
 use crate::{
-    Annotations, Cell, ErrorKind, GeoAnchor, Grid, PluginError, Point, Pose, Provenance, Scene, Symbol, Text,
+    Annotations, Cell, DoorLeaf, ErrorKind, GeoAnchor, Grid, Picture, PluginError, Point, Pose, Provenance,
+    ReadWatcher, Scale, Scene, Symbol, Text,
 };
 use std::ffi::c_void;
 use std::slice;
@@ -18,24 +20,39 @@ use std::sync::{Mutex, PoisonError};
 /// The most texts, symbols and warnings, each, in one scene.
 const MAX_ANNOTATIONS: usize = 1_000_000;
 
+/// The most leaves of one door.
+const MAX_LEAVES: usize = 100;
+
+/// The most stages of one document: each may leave a file behind.
+const MAX_STAGES: usize = 100;
+
 /// What was taken so far.
-#[derive(Default)]
-pub struct Taken {
+pub struct Taken<'a> {
     grid: Option<Grid>,
     annotations: Annotations,
     fault: Fault,
     /// Whether every grid is refused, as an absurd one is.
     refuses: bool,
+    /// Who looks on.
+    watcher: &'a mut dyn ReadWatcher,
+    /// How many stages there were.
+    stages: usize,
 }
 
 /// What was taken, behind a lock: an adapter may call from several threads.
-pub struct Receiver(Mutex<Taken>);
+pub struct Receiver<'a> {
+    taken: Mutex<Taken<'a>>,
+    wants_pictures: bool,
+}
 
-impl Receiver {
-    /// Nothing yet but where the document came from.
-    pub fn new(provenance: Provenance) -> Self {
+impl<'a> Receiver<'a> {
+    /// Nothing yet but where the document came from, and who looks on.
+    pub fn new(provenance: Provenance, watcher: &'a mut dyn ReadWatcher) -> Self {
         let annotations = Annotations { provenance, ..Annotations::default() };
-        Self(Mutex::new(Taken { annotations, ..Taken::default() }))
+        let (grid, fault, refuses, stages) = (None, Fault::default(), false, 0);
+        let wants_pictures = watcher.wants_pictures();
+        let taken = Taken { grid, annotations, fault, refuses, watcher, stages };
+        Self { taken: Mutex::new(taken), wants_pictures }
     }
 
     /// The same, refusing every grid as if it were absurdly large.
@@ -56,6 +73,9 @@ impl Receiver {
             warning,
             provenance,
             fail,
+            scale: Some(scale),
+            flags: if self.wants_pictures { PLANFORM_WANTS_PICTURES } else { 0 },
+            stage: Some(stage),
         }
     }
 
@@ -65,18 +85,18 @@ impl Receiver {
     }
 
     /// Does something with what was taken.
-    pub fn with<T>(&self, work: impl FnOnce(&mut Taken) -> T) -> T {
-        work(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    pub fn with<T>(&self, work: impl FnOnce(&mut Taken<'a>) -> T) -> T {
+        work(&mut self.taken.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// How the call ended: the scene, or what went wrong.
     pub fn end(self, status: PlanformStatus) -> Trial<Scene> {
-        let taken = self.0.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let taken = self.taken.into_inner().unwrap_or_else(PoisonError::into_inner);
         Trial { late_calls: taken.fault.late_calls(), status, result: taken.scene(status) }
     }
 }
 
-impl Taken {
+impl Taken<'_> {
     /// Remembers what the adapter was refused and may get over; the status to tell it.
     pub fn refuse(&mut self, error: PluginError) -> PlanformStatus {
         self.fault.refuse(error)
@@ -86,6 +106,15 @@ impl Taken {
         self.fault.end(status)?;
         let grid = self.grid.ok_or_else(|| of_plugin("it reads the document without handing over a grid"))?;
         Ok(Scene::new(grid, self.annotations))
+    }
+
+    fn take_stage(&mut self, name: &str, picture: Option<Picture<'_>>) -> Result<(), PluginError> {
+        if self.stages == MAX_STAGES {
+            return Err(of_plugin(&format!("its work has more than {MAX_STAGES} stages")));
+        }
+        self.stages += 1;
+        self.watcher.stage(name, picture);
+        Ok(())
     }
 
     fn take_grid(&mut self, grid: Grid) -> Result<(), PluginError> {
@@ -103,9 +132,9 @@ impl Taken {
 /// # Safety
 ///
 /// `context` is that of a [`Receiver`] that lives for `'a`.
-unsafe fn receiver<'a>(context: *mut c_void) -> &'a Receiver {
+unsafe fn receiver<'a>(context: *mut c_void) -> &'a Receiver<'a> {
     // SAFETY: as the caller promises.
-    unsafe { &*context.cast::<Receiver>() }
+    unsafe { &*context.cast::<Receiver<'_>>() }
 }
 
 /// Takes something into the scene, unless something went wrong before.
@@ -115,7 +144,7 @@ unsafe fn receiver<'a>(context: *mut c_void) -> &'a Receiver {
 /// `context` is that of a [`Receiver`] whose call has not ended.
 unsafe fn take(
     context: *mut c_void,
-    work: impl FnOnce(&mut Taken) -> Result<(), PluginError>,
+    work: impl FnOnce(&mut Taken<'_>) -> Result<(), PluginError>,
 ) -> PlanformStatus {
     // SAFETY: as the caller promises.
     let receiver = unsafe { receiver(context) };
@@ -209,13 +238,87 @@ unsafe extern "C" fn symbol(context: *mut c_void, symbol: *const PlanformSymbol)
     // SAFETY: the plugin hands back the context that it was given, and a symbol of its own.
     unsafe {
         take(context, |taken| {
-            let PlanformSymbol { size: _, kind, x, y, yaw, width, height, score } = looked(symbol)?;
+            let symbol = looked(symbol)?;
+            let PlanformSymbol { size: _, kind, x, y, yaw, width, height, score, .. } = symbol;
             finite([x, y, yaw, width, height, score], "a symbol")?;
             let kind = text_of(kind, "the kind of a symbol")?;
-            let symbol = Symbol { kind, pose: Pose { x, y, yaw }, width, height, score };
+            let leaves = leaves_of(&symbol)?;
+            let symbol = Symbol { kind, pose: Pose { x, y, yaw }, width, height, score, leaves };
             push(&mut taken.annotations.symbols, symbol, "symbols")
         })
     }
+}
+
+/// The leaves of a door's symbol.
+///
+/// # Safety
+///
+/// `leaves` is NULL or points to `leaf_count` leaves that stay as they are during this call.
+unsafe fn leaves_of(symbol: &PlanformSymbol) -> Result<Vec<DoorLeaf>, PluginError> {
+    if symbol.leaf_count > MAX_LEAVES {
+        return Err(of_plugin(&format!("a symbol has more than {MAX_LEAVES} leaves")));
+    }
+    if symbol.leaf_count == 0 {
+        return Ok(vec![]);
+    }
+    if symbol.leaves.is_null() {
+        return Err(of_plugin("the leaves of a symbol are missing (a null pointer)"));
+    }
+    // SAFETY: not NULL, and as many as the caller promises.
+    let leaves = unsafe { slice::from_raw_parts(symbol.leaves, symbol.leaf_count) };
+    leaves.iter().map(leaf_of).collect()
+}
+
+fn leaf_of(leaf: &PlanformDoorLeaf) -> Result<DoorLeaf, PluginError> {
+    let PlanformDoorLeaf { hinge_x, hinge_y, closed_x, closed_y, open_x, open_y } = *leaf;
+    finite([hinge_x, hinge_y, closed_x, closed_y, open_x, open_y], "a leaf of a symbol")?;
+    Ok(DoorLeaf {
+        hinge: Point::new(hinge_x, hinge_y),
+        closed: Point::new(closed_x, closed_y),
+        open: Point::new(open_x, open_y),
+    })
+}
+
+unsafe extern "C" fn scale(context: *mut c_void, scale: *const PlanformScale) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a scale of its own.
+    unsafe {
+        take(context, |taken| {
+            let PlanformScale { size: _, metres_per_pixel, source, confidence } = looked(scale)?;
+            finite([metres_per_pixel, confidence], "the scale")?;
+            let source = text_of(source, "the source of the scale")?;
+            taken.annotations.scale = Some(Scale { metres_per_pixel, source, confidence });
+            Ok(())
+        })
+    }
+}
+
+unsafe extern "C" fn stage(context: *mut c_void, stage: *const PlanformStage) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and a stage of its own.
+    unsafe {
+        take(context, |taken| {
+            let stage = looked(stage)?;
+            let name = text_of(stage.name, "the name of a stage")?;
+            taken.take_stage(&name, picture_of(&stage)?)
+        })
+    }
+}
+
+/// The picture of a stage, if it has one.
+///
+/// # Safety
+///
+/// `rgb` is NULL or points to `rgb_length` bytes that stay as they are for `'a`.
+unsafe fn picture_of<'a>(stage: &PlanformStage) -> Result<Option<Picture<'a>>, PluginError> {
+    if stage.rgb.is_null() {
+        return Ok(None);
+    }
+    // SAFETY: not NULL, and as many as the caller promises.
+    let rgb = unsafe { slice::from_raw_parts(stage.rgb, stage.rgb_length) };
+    let wrong = || {
+        let PlanformStage { width, height, rgb_length, .. } = stage;
+        of_plugin(&format!("a stage's picture of {width} x {height} pixels has {rgb_length} bytes"))
+    };
+    Picture::new(stage.width, stage.height, rgb).map(Some).ok_or_else(wrong)
 }
 
 unsafe extern "C" fn anchor(context: *mut c_void, anchor: *const PlanformAnchor) -> PlanformStatus {

@@ -5,11 +5,13 @@ use super::{info, problem, received};
 use crate::abi::guard::guard;
 use crate::abi::table::look;
 use crate::abi::{
-    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PlanformAdapter, PlanformAnchor, PlanformGrid, PlanformJson,
-    PlanformProbe, PlanformSceneSink, PlanformSource, PlanformStatus, PlanformString, PlanformSymbol,
-    PlanformText,
+    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES, PlanformAdapter, PlanformAnchor,
+    PlanformDoorLeaf, PlanformGrid, PlanformJson, PlanformProbe, PlanformScale, PlanformSceneSink,
+    PlanformSource, PlanformStage, PlanformStatus, PlanformString, PlanformSymbol, PlanformText,
 };
-use crate::{Confidence, GeoAnchor, InputAdapter, Probe, Scene, Symbol, Text};
+use crate::{
+    Confidence, DoorLeaf, GeoAnchor, InputAdapter, Picture, Probe, ReadWatcher, Scale, Scene, Symbol, Text,
+};
 
 /// The table, never freed.
 pub fn table(adapter: Box<dyn InputAdapter>) -> *const PlanformAdapter {
@@ -80,19 +82,52 @@ unsafe fn read_into(
 ) -> PlanformStatus {
     // SAFETY: the host hands over a sink of its own.
     let Ok(sink) = (unsafe { look(sink) }) else { return PLANFORM_PLUGIN_FAULT };
+    let mut stages = Stages { sink: &sink, refusal: None };
     let scene = guard(|| {
         // SAFETY: the host hands over the table that it was given, and a source and options of its own.
         unsafe {
             let adapter = adapter_of(adapter);
             let options = received::options(options, &adapter.info().options)?;
-            adapter.read(&received::source(source)?, &options)
+            adapter.read_watched(&received::source(source)?, &options, &mut stages)
         }
     });
+    if let Some(status) = stages.refusal {
+        return status;
+    }
     match scene.unwrap_or_else(|panic| Err(problem::of_panic(panic))) {
         // SAFETY: the sink is the host's, and its call has not ended.
         Ok(scene) => unsafe { hand_over(&scene, &sink) },
         // SAFETY: as above.
         Err(e) => unsafe { problem::report(sink.fail, sink.context, &e) },
+    }
+}
+
+/// Hands stages to the sink, up to the first refusal.
+struct Stages<'a> {
+    sink: &'a PlanformSceneSink,
+    refusal: Option<PlanformStatus>,
+}
+
+// SAFETY: the callbacks of a sink may be called from every thread, during the call that it was made for.
+unsafe impl Send for Stages<'_> {}
+
+impl ReadWatcher for Stages<'_> {
+    fn wants_pictures(&self) -> bool {
+        self.sink.flags & PLANFORM_WANTS_PICTURES != 0
+    }
+
+    fn stage(&mut self, name: &str, picture: Option<Picture<'_>>) {
+        let (Some(take), None) = (self.sink.stage, self.refusal) else { return };
+        let stage = PlanformStage {
+            size: size_of::<PlanformStage>(),
+            name: PlanformString::of(name.as_bytes()),
+            width: picture.map_or(0, |p| p.width()),
+            height: picture.map_or(0, |p| p.height()),
+            rgb: picture.map_or(std::ptr::null(), |p| p.rgb().as_ptr()),
+            rgb_length: picture.map_or(0, |p| p.rgb().len()),
+        };
+        // SAFETY: the callback is called with its own context, and what it is handed lives until it returns.
+        self.refusal = accepted(unsafe { take(self.sink.context, &stage) }).err();
     }
 }
 
@@ -108,8 +143,9 @@ unsafe fn hand_over(scene: &Scene, sink: &PlanformSceneSink) -> PlanformStatus {
     let handed = unsafe {
         accepted((sink.grid)(context, &PlanformGrid::of(&scene.grid)))
             .and_then(|()| all(&scene.texts, |t| (sink.text)(context, &self::text(t))))
-            .and_then(|()| all(&scene.symbols, |s| (sink.symbol)(context, &symbol(s))))
+            .and_then(|()| all(&scene.symbols, |s| hand_over_symbol(s, sink)))
             .and_then(|()| all(&scene.anchor, |a| (sink.anchor)(context, &anchor(a))))
+            .and_then(|()| all(&scene.scale, |s| hand_over_scale(s, sink)))
             .and_then(|()| all(&scene.warnings, |w| (sink.warning)(context, text(w))))
             .and_then(|()| {
                 let provenance = &scene.provenance;
@@ -145,8 +181,12 @@ fn text(text: &Text) -> PlanformText {
     }
 }
 
-fn symbol(symbol: &Symbol) -> PlanformSymbol {
-    PlanformSymbol {
+/// # Safety
+///
+/// As for [`hand_over`].
+unsafe fn hand_over_symbol(symbol: &Symbol, sink: &PlanformSceneSink) -> PlanformStatus {
+    let leaves: Vec<_> = symbol.leaves.iter().map(leaf).collect();
+    let symbol = PlanformSymbol {
         size: size_of::<PlanformSymbol>(),
         kind: PlanformString::of(symbol.kind.as_bytes()),
         x: symbol.pose.x,
@@ -155,7 +195,39 @@ fn symbol(symbol: &Symbol) -> PlanformSymbol {
         width: symbol.width,
         height: symbol.height,
         score: symbol.score,
+        leaves: leaves.as_ptr(),
+        leaf_count: leaves.len(),
+    };
+    // SAFETY: the callback is called with its own context, and what it is handed lives until it returns.
+    unsafe { (sink.symbol)(sink.context, &symbol) }
+}
+
+fn leaf(DoorLeaf { hinge, closed, open }: &DoorLeaf) -> PlanformDoorLeaf {
+    PlanformDoorLeaf {
+        hinge_x: hinge.x,
+        hinge_y: hinge.y,
+        closed_x: closed.x,
+        closed_y: closed.y,
+        open_x: open.x,
+        open_y: open.y,
     }
+}
+
+/// Hands over the scale, which a host of version 1.0 has no room for.
+///
+/// # Safety
+///
+/// As for [`hand_over`].
+unsafe fn hand_over_scale(scale: &Scale, sink: &PlanformSceneSink) -> PlanformStatus {
+    let Some(take) = sink.scale else { return PLANFORM_OK };
+    let scale = PlanformScale {
+        size: size_of::<PlanformScale>(),
+        metres_per_pixel: scale.metres_per_pixel,
+        source: PlanformString::of(scale.source.as_bytes()),
+        confidence: scale.confidence,
+    };
+    // SAFETY: the callback is called with its own context, and what it is handed lives until it returns.
+    unsafe { take(sink.context, &scale) }
 }
 
 fn anchor(anchor: &GeoAnchor) -> PlanformAnchor {

@@ -129,6 +129,7 @@ mod tests {
         let room = |id, name: Option<&str>| Room {
             id,
             name: name.map(Into::into),
+            stated_area: None,
             state: RoomState::Complete,
             inner: floor.clone(),
             centre: floor.clone(),

@@ -1,0 +1,148 @@
+//! The steps from a page to what was read of it.
+
+use crate::found::{SheetSymbol, SheetText};
+use crate::mask::Mask;
+use crate::options::Request;
+use crate::page::Page;
+use crate::scale::{self, Built, Drawn, Estimate};
+use crate::sheet::Sheet;
+use crate::stages::Stages;
+use crate::symbols::{self, Library, Symbols};
+use crate::walls::{self, Walls};
+use crate::words::{self, Words};
+use crate::{doorways, overlay, prepare};
+use planform_sdk::{ErrorKind, PluginError};
+
+/// What was read of a page.
+#[derive(Debug, Clone)]
+pub struct Reading {
+    /// The page as a sheet.
+    pub sheet: Sheet,
+    /// Its words.
+    pub words: Words,
+    /// Its symbols, those that the document itself names included.
+    pub symbols: Symbols,
+    /// Its walls.
+    pub walls: Walls,
+    /// How large it is.
+    pub scale: Estimate,
+    /// What the reader should know.
+    pub warnings: Vec<String>,
+}
+
+/// Reads a page.
+///
+/// # Errors
+/// When an option cannot be followed, or the page shows no building.
+pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<Reading, PluginError> {
+    let library = library(request)?;
+    let said = scale::said(request, page)?;
+    let sheet = prepare::sheet(page, stages);
+    let words = read_words(page, &sheet, request, stages)?;
+    let dpi = scale::dpi(request, page);
+    let ink = sheet.ink.clone().without(&words.erase);
+    let lines = ink.clone().with(&sheet.aside).without(&words.erase);
+    let mut estimates: Vec<Estimate> = said.into_iter().collect();
+    estimates.extend(scale::drawn(&Drawn { texts: &words.texts, lines: &lines }, dpi));
+    drop(lines);
+    let mut symbols = symbols::find(&sheet, &ink, &library, good(&estimates), stages);
+    symbols.symbols.iter_mut().for_each(doorways::straighten);
+    symbols.symbols.extend(page.symbols.iter().map(|s| symbol_on_sheet(&sheet, s)));
+    let ink = ink.without(&symbols.erase);
+    let by_doors = || scale::by_doors(&symbols.symbols).map(|e| e.metres_per_pixel);
+    let guess = good(&estimates).or_else(by_doors);
+    let walls = walls::find(&ink, &sheet, &symbols.symbols, guess, stages);
+    if walls.occupied.count() == 0 || walls.inside.count() == 0 {
+        return Err(no_walls());
+    }
+    symbols.symbols.retain(|s| belongs(s, &walls.inside));
+    let built = Built { occupied: &walls.occupied, inside: &walls.inside, symbols: &symbols.symbols };
+    estimates.extend(scale::built(&words.texts, &built));
+    let (scale, doubts) = decide(&estimates, &walls);
+    let warnings = [page.warnings.clone(), words.warnings.clone(), doubts].concat();
+    let reading = Reading { sheet, words, symbols, walls, scale, warnings };
+    stages.stage("found", &mut || overlay::picture(&reading));
+    Ok(reading)
+}
+
+/// The words of the page. Texts that the document holds as such are erased where they are drawn, and not read.
+fn read_words(
+    page: &Page,
+    sheet: &Sheet,
+    request: &Request,
+    stages: &mut dyn Stages,
+) -> Result<Words, PluginError> {
+    let known: Vec<SheetText> = page.texts.iter().map(|t| on_sheet(sheet, t)).collect();
+    if page.drawn {
+        return words::find(sheet, &known, &request.words, stages);
+    }
+    Ok(Words { texts: known, erase: Mask::empty(sheet.ink.width, sheet.ink.height), warnings: Vec::new() })
+}
+
+fn library(request: &Request) -> Result<Library, PluginError> {
+    request.templates.as_deref().map_or_else(Library::builtin, Library::with_folder)
+}
+
+/// The scale that the symbols may rely on.
+fn good(estimates: &[Estimate]) -> Option<f64> {
+    scale::choose(estimates).filter(|e| e.confidence >= 0.5).map(|e| e.metres_per_pixel)
+}
+
+/// The scale, and what speaks against it.
+fn decide(estimates: &[Estimate], walls: &Walls) -> (Estimate, Vec<String>) {
+    match scale::choose(estimates) {
+        Some(chosen) if chosen.confidence >= 0.5 => {
+            (chosen.clone(), scale::contradictions(chosen, estimates))
+        }
+        Some(chosen) => (chosen.clone(), vec![unsure(chosen)]),
+        None => {
+            let guessed = scale::by_rooms(walls.metres_per_pixel);
+            let doubt = unsure(&guessed);
+            (guessed, vec![doubt])
+        }
+    }
+}
+
+fn unsure(scale: &Estimate) -> String {
+    format!(
+        "the scale is a guess, {:.4} metres per pixel by {}; give `--set metres-per-pixel=...`, `--set scale=1:100` \
+         with `--set dpi=...`, or `--set known-distance=X1,Y1,X2,Y2,METRES`",
+        scale.metres_per_pixel, scale.source
+    )
+}
+
+/// Whether a symbol is one of the building: legends explain signs beside it. Places to assemble at lie outside.
+fn belongs(symbol: &SheetSymbol, inside: &Mask) -> bool {
+    let reach = (0.5 * symbol.width.max(symbol.height)).clamp(1.0, 1e4) as i64;
+    let [x, y] = symbol.centre.map(|c| c as i64);
+    let around = [(0, 0), (reach, 0), (-reach, 0), (0, reach), (0, -reach)];
+    symbol.kind == "assembly-point" || around.iter().any(|(dx, dy)| inside.get(x + dx, y + dy))
+}
+
+fn no_walls() -> PluginError {
+    PluginError::new(ErrorKind::BadInput, "shows no walls: no lines in it enclose a room")
+        .advise("is it the plan of a building? A robot's map is read with `--from slam-grid`")
+}
+
+/// A text of the page where it lies on the sheet.
+fn on_sheet(sheet: &Sheet, text: &SheetText) -> SheetText {
+    SheetText { centre: sheet.from_page(text.centre), angle: text.angle + sheet.turned, ..text.clone() }
+}
+
+/// A symbol of the page where it lies on the sheet.
+fn symbol_on_sheet(sheet: &Sheet, symbol: &SheetSymbol) -> SheetSymbol {
+    let mut turned = symbol.clone();
+    turned.centre = sheet.from_page(symbol.centre);
+    turned.angle += sheet.turned;
+    for leaf in &mut turned.leaves {
+        [&mut leaf.hinge, &mut leaf.closed, &mut leaf.open]
+            .into_iter()
+            .for_each(|p| *p = sheet.from_page(*p));
+    }
+    turned
+}
+
+/// The ink that is left when words and symbols are taken off.
+pub fn left_over(reading: &Reading) -> Mask {
+    reading.sheet.ink.clone().without(&reading.words.erase).without(&reading.symbols.erase)
+}

@@ -1,0 +1,51 @@
+//! Scale from the paper: a ratio, and how many pixels there are to an inch.
+
+use super::Estimate;
+use crate::found::SheetText;
+use crate::words::measures::Measure;
+use planform_sdk::{ErrorKind, PluginError};
+
+/// Metres of an inch.
+const INCH: f64 = 0.0254;
+
+/// The scales that whole floors are drawn at. Others are of details, or were misread.
+const PLANS: std::ops::RangeInclusive<f64> = 20.0..=2500.0;
+
+/// Pictures say 72 or 96 pixels per inch when nobody knows: what was scanned says more.
+const SCREEN: f64 = 97.0;
+
+/// Whether a document's resolution is that of its paper.
+pub fn is_meant(dpi: f64) -> bool {
+    dpi > SCREEN
+}
+
+/// Metres per pixel where one on paper is `ratio` in the world.
+///
+/// # Errors
+/// When the resolution of the paper is not known.
+pub fn given(ratio: f64, dpi: Option<f64>) -> Result<f64, PluginError> {
+    let dpi = dpi.ok_or_else(|| {
+        let message =
+            "a scale is given, but the picture does not say how many pixels there are to an inch of paper";
+        PluginError::new(ErrorKind::BadOption, message)
+            .advise("add `--set dpi=300` with the scan's resolution")
+    })?;
+    Ok(ratio * INCH / dpi)
+}
+
+/// Metres per pixel by the ratio that is written on the sheet, if there is one only.
+pub fn written(texts: &[(SheetText, Measure)], dpi: Option<f64>) -> Option<Estimate> {
+    let dpi = dpi?;
+    let mut ratios = texts.iter().filter_map(|(text, m)| match m {
+        Measure::Ratio(ratio) if PLANS.contains(ratio) => Some((text, *ratio)),
+        _ => None,
+    });
+    let (text, ratio) = ratios.next()?;
+    let source = format!("written scale {}", text.content.trim());
+    let unique = ratios.all(|(_, other)| other == ratio);
+    unique.then(|| Estimate {
+        metres_per_pixel: ratio * INCH / dpi,
+        source,
+        confidence: 0.8 * text.confidence.max(0.7),
+    })
+}

@@ -1,0 +1,192 @@
+//! Symbols: found, told what they mean, and taken off the drawing.
+
+mod blobs;
+mod doors;
+mod drawing;
+mod fixtures;
+pub mod library;
+mod lifts;
+mod picture;
+mod plane;
+mod runs;
+mod shapes;
+mod signs;
+mod soft;
+mod stairs;
+mod strokes;
+#[cfg(test)]
+mod tests;
+mod thin;
+mod windows;
+mod zncc;
+
+use crate::found::{SheetLeaf, SheetSymbol};
+use crate::mask::Mask;
+use crate::sheet::Sheet;
+use crate::stages::Stages;
+use doors::Swing;
+pub use library::Library;
+use plane::Plane;
+use shapes::{Box2, erase_inside};
+use strokes::Segment;
+use thin::Chain;
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub struct Symbols {
+    /// The symbols.
+    pub symbols: Vec<SheetSymbol>,
+    /// The pixels that draw them, and nothing else.
+    pub erase: Mask,
+    /// What the doors say of the scale.
+    pub leaves: Option<Leaves>,
+}
+
+/// How long the leaves of the sheet's doors are, for telling the scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leaves {
+    /// Their median length, pixels of the sheet; with a single leaf, what a door is wide from jamb to jamb.
+    pub length: f64,
+    /// How many there are.
+    pub count: usize,
+}
+
+/// A usual leaf, metres: what sizes are measured by where the scale is not known.
+const USUAL_LEAF: f64 = 0.9;
+/// Leaves of doors, metres.
+const LEAF: [f64; 2] = [0.55, 1.35];
+/// Leaves of doors, pixels of a plane, where the scale is not known.
+const LEAF_PIXELS: [f64; 2] = [8.0, 44.0];
+/// No leaf is shorter than this share of the sheet's longer side, nor longer than this one.
+const LEAF_SHARES: [f64; 2] = [0.004, 0.1];
+/// A usual leaf is at least so long on a plane, pixels.
+const SHARP: f64 = 18.0;
+/// Strokes of doors and stairs are thinner than this, pixels of a plane.
+const WIDEST_STROKE: u32 = 4;
+
+/// All symbols of the sheet. `ink` is the sheet's ink without its words; `metres_per_pixel`, if it is known already, makes
+/// the search surer and quicker. Where it is not known, and there are no doors to tell it, things without a colour are
+/// not searched for.
+pub fn find(
+    sheet: &Sheet,
+    ink: &Mask,
+    library: &Library,
+    metres_per_pixel: Option<f64>,
+    stages: &mut dyn Stages,
+) -> Symbols {
+    let metres_per_pixel = metres_per_pixel.filter(|m| *m > 0.0 && m.is_finite());
+    let mut found = Symbols { symbols: Vec::new(), erase: Mask::empty(ink.width, ink.height), leaves: None };
+    signs(sheet, ink, library, &mut found);
+    let rest = ink.clone().without(&found.erase);
+    let view = best_view(&rest, metres_per_pixel);
+    if let Some(view) = &view {
+        found.symbols.extend(doors::doors(&view.plane, &rest, &view.swings, &mut found.erase));
+        found.leaves = leaves(&found.symbols);
+    }
+    let told = found.leaves.filter(|l| l.count >= 2).map(|l| USUAL_LEAF / l.length);
+    if let (Some(view), Some(pixel)) = (&view, metres_per_pixel.or(told)) {
+        drawn_to_scale(sheet, &rest, library, view, pixel, &mut found);
+    }
+    stages.stage("symbols", &mut || picture::of(sheet, &found));
+    found
+}
+
+fn signs(sheet: &Sheet, ink: &Mask, library: &Library, found: &mut Symbols) {
+    for symbol in signs::find(sheet, library) {
+        if is_aside(sheet, &symbol) {
+            continue;
+        }
+        let keep = |t: &library::Template| t.kind == symbol.kind && t.action == library::Action::Keep;
+        if !library.templates.iter().any(keep) {
+            erase_inside(ink, &Box2::of(&symbol).grown([1.0; 2]), &mut found.erase);
+        }
+        found.symbols.push(symbol);
+    }
+}
+
+/// Whether a sign stands in a legend or a title block, where it only explains itself.
+fn is_aside(sheet: &Sheet, symbol: &SheetSymbol) -> bool {
+    let around = Box2::of(symbol).grown([symbol.width / 2.0, symbol.height / 2.0]);
+    shapes::count_inside(&sheet.aside, &around) > shapes::count_inside(&sheet.ink, &around)
+}
+
+/// What is found by its size in the building; `pixel` is metres per pixel of the sheet.
+fn drawn_to_scale(
+    sheet: &Sheet,
+    ink: &Mask,
+    library: &Library,
+    view: &View,
+    pixel: f64,
+    found: &mut Symbols,
+) {
+    let own = pixel * f64::from(view.plane.factor);
+    let (plane, segments) = (&view.plane, &view.segments);
+    let stairs = stairs::find(plane, ink, segments, own, &mut found.erase);
+    let lifts = lifts::find(plane, ink, segments, own, &mut found.erase);
+    let windows = windows::find(sheet, plane, &view.parts, own);
+    let rest = ink.clone().without(&found.erase);
+    let fixtures = fixtures::find(&rest, library, pixel, &mut found.erase);
+    // What looks like a door inside a lift or a flight of steps is a part of it.
+    let within = |d: &SheetSymbol| stairs.iter().chain(&lifts).any(|s| Box2::of(s).contains(d.centre));
+    found.symbols.retain(|s| s.leaves.is_empty() || !within(s));
+    for symbol in [stairs, lifts, fixtures, windows].into_iter().flatten() {
+        let inside =
+            |s: &SheetSymbol| Box2::of(s).contains(symbol.centre) || Box2::of(&symbol).contains(s.centre);
+        if !found.symbols.iter().any(inside) {
+            found.symbols.push(symbol);
+        }
+    }
+}
+
+/// The sheet at the resolution at which its doors are seen best.
+struct View {
+    plane: Plane,
+    parts: Vec<Segment>,
+    segments: Vec<Segment>,
+    swings: Vec<Swing>,
+}
+
+impl View {
+    fn new(ink: &Mask, factor: u32, radii: [f64; 2]) -> Self {
+        let plane = Plane::new(ink, factor);
+        let chains: Vec<Chain> = thin::chains(&plane.mask, WIDEST_STROKE);
+        let parts = strokes::parts(&chains);
+        let segments = strokes::segments(&parts, 5.0);
+        let swings = doors::alike(doors::find(&plane, &chains, &segments, radii));
+        Self { plane, parts, segments, swings }
+    }
+
+    fn weight(&self) -> f64 {
+        self.swings.iter().map(|s| s.score * s.score * s.radius * f64::from(self.plane.factor)).sum()
+    }
+}
+
+fn best_view(ink: &Mask, metres_per_pixel: Option<f64>) -> Option<View> {
+    let views =
+        resolutions(ink, metres_per_pixel).into_iter().map(|(factor, radii)| View::new(ink, factor, radii));
+    views.reduce(|a, b| if b.weight() > a.weight() { b } else { a })
+}
+
+/// The factors of the planes to look at, with the range of leaves there, pixels of the plane.
+fn resolutions(ink: &Mask, metres_per_pixel: Option<f64>) -> Vec<(u32, [f64; 2])> {
+    let doubled = || (0..8).map(|k| 1u32 << k);
+    if let Some(m) = metres_per_pixel {
+        let sharp = |f: &u32| USUAL_LEAF / m / f64::from(*f) >= SHARP;
+        let factor = doubled().filter(sharp).max().unwrap_or(1);
+        return vec![(factor, LEAF.map(|l| l / m / f64::from(factor)))];
+    }
+    let [shortest, longest] = LEAF_SHARES.map(|s| s * f64::from(ink.width.max(ink.height)));
+    let useful = |f: &u32| {
+        let [least, most] = LEAF_PIXELS.map(|l| l * f64::from(*f));
+        most > 2.0 * shortest && least < longest
+    };
+    doubled().filter(useful).step_by(2).map(|f| (f, LEAF_PIXELS)).collect()
+}
+
+fn leaves(symbols: &[SheetSymbol]) -> Option<Leaves> {
+    let length = |l: &SheetLeaf| plane::distance(l.hinge, l.closed);
+    let mut lengths: Vec<f64> =
+        symbols.iter().filter(|s| s.kind == "door").flat_map(|s| &s.leaves).map(length).collect();
+    lengths.sort_by(f64::total_cmp);
+    lengths.get(lengths.len() / 2).map(|&length| Leaves { length, count: lengths.len() })
+}

@@ -1,0 +1,175 @@
+//! Walls: told from all else that is drawn, and made the cells of a grid.
+//!
+//! Two things are walls wherever they are: ink that is thicker than lines are (`stroke`), and narrow bands between
+//! lines (`narrow`), hatched or not. Whether a thin line is one is told by what it parts. The gaps in line are closed
+//! (`bridges`), so that ink and walls enclose faces (`faces`); faces that are too small for a room, and those with more
+//! gap than line between them, become one with the face beside (`merge`), for they are furniture, stairs, hatching. A
+//! line that still has different rooms on its two sides is a wall, all others are not, nor are lines that run through an
+//! outer wall (`leaving`). What walls enclose is the building (`inside`).
+
+mod apart;
+mod bridges;
+mod cells;
+mod components;
+mod distance;
+mod drawing;
+mod faces;
+mod inside;
+mod leaving;
+mod merge;
+mod narrow;
+mod openings;
+mod parallel;
+mod picture;
+mod scale;
+mod straight;
+mod stroke;
+mod tracks;
+
+pub use cells::{Cells, cells};
+
+use crate::found::SheetSymbol;
+use crate::mask::Mask;
+use crate::sheet::Sheet;
+use crate::stages::Stages;
+use drawing::Drawing;
+use faces::Faces;
+use merge::Rooms;
+use picture::Kinds;
+
+/// Lines of at least this length point across gaps, metres,
+const LINE: f64 = 0.5;
+
+/// which are at most this wide, metres: doors and a little more.
+const DOORWAY: f64 = 1.2;
+
+/// The sure walls are the outer ones if they enclose this share of what all lines enclose.
+const MOST: f64 = 0.6;
+
+/// The walls of a drawing.
+#[derive(Debug, Clone)]
+pub struct Walls {
+    /// The walls, filled, at the sheet's size. The openings of doors are not set, windows are.
+    pub occupied: Mask,
+    /// The building: all that is not outside, walls included.
+    pub inside: Mask,
+    /// The usual thickness of thin lines, pixels of the sheet.
+    pub stroke: f64,
+    /// The usual thickness of walls, pixels of the sheet; 0 if there is none.
+    pub thickness: f64,
+    /// Metres per pixel that the search went by: those given, or a rough guess.
+    pub metres_per_pixel: f64,
+    /// From 0 (nothing is enclosed) to 1: the share of floor in the building's area. Under about 0.3 the sheet shows
+    /// hardly a building.
+    pub confidence: f64,
+}
+
+/// Finds the walls in the ink of a sheet, of which words and symbols have been erased. Without `metres_per_pixel` the
+/// scale is guessed, by the doors if there are some.
+pub fn find(
+    ink: &Mask,
+    sheet: &Sheet,
+    doors_and_windows: &[SheetSymbol],
+    metres_per_pixel: Option<f64>,
+    stages: &mut dyn Stages,
+) -> Walls {
+    let given = metres_per_pixel.filter(|m| m.is_finite() && *m > 0.0);
+    let metres_per_pixel = given.unwrap_or_else(|| scale::guess(ink, doors_and_windows));
+    let mut drawing = Drawing::of_sheet(ink, metres_per_pixel);
+    let stroke = stroke::usual(&drawing);
+    let sure = sure(&drawing, stroke, doors_and_windows);
+    if let Some(enclosed) = enclosed(&drawing, &sure) {
+        let leaving = leaving::lines(&drawing, &enclosed);
+        let thin = leaving.iter().zip(&sure.wall).map(|(l, w)| *l && !w);
+        thin.zip(&mut drawing.ink).for_each(|(l, i)| *i &= !l);
+    }
+    let mut kinds = tell(&drawing, sure);
+    let mut inside = inside::find(&drawing, &kinds.occupied);
+    apart::remove(&drawing, doors_and_windows, &mut kinds.occupied, &mut inside);
+    let inside = drawing.on_sheet(&inside, ink);
+    let occupied = drawing.on_sheet(&kinds.occupied, ink);
+    stages.stage("walls", &mut || picture::of(&sheet.colour, &drawing, &kinds, &inside));
+    let factor = drawing.factor as f64;
+    let thickness = thickness(&drawing, &kinds) * factor;
+    let confidence = confidence(&occupied, &inside);
+    Walls { occupied, inside, stroke: stroke * factor, thickness, metres_per_pixel, confidence }
+}
+
+/// What is wall whatever it parts: solid ink, bands and windows, but no doors.
+struct Sure {
+    solid: Vec<bool>,
+    band: Vec<bool>,
+    doors: Vec<bool>,
+    wall: Vec<bool>,
+}
+
+fn sure(drawing: &Drawing, stroke: f64, symbols: &[SheetSymbol]) -> Sure {
+    let doors = openings::doors(drawing, symbols);
+    let solid = stroke::solid(drawing, stroke);
+    let mut band = bands(drawing, stroke);
+    openings::windows(drawing, symbols).into_iter().zip(&mut band).for_each(|(w, b)| *b |= w);
+    let wall = (0..band.len()).map(|i| (solid[i] || band[i]) && !doors[i]).collect();
+    Sure { solid, band, doors, wall }
+}
+
+/// What the sure walls enclose, if that is most of what is enclosed by any line: then they are the building's outer walls.
+fn enclosed(drawing: &Drawing, sure: &Sure) -> Option<Vec<bool>> {
+    let count = |set: &[bool]| set.iter().filter(|&&s| s).count() as f64;
+    let by_walls = inside::find(drawing, &sure.wall);
+    let by_lines = inside::find(drawing, &drawing.ink);
+    (count(&by_walls) >= MOST * count(&by_lines)).then_some(by_walls)
+}
+
+/// Tells what is what.
+fn tell(drawing: &Drawing, sure: Sure) -> Kinds {
+    let Sure { solid, band, doors, wall } = sure;
+    let lines = straight::runs(&drawing.ink, drawing.width);
+    let span = bridges::Span { line: LINE * drawing.metre, reach: DOORWAY * drawing.metre };
+    let mut bridge = bridges::find(&drawing.ink, &wall, &lines, drawing.width, span);
+    doors.iter().zip(&mut bridge).for_each(|(d, b)| *b |= d);
+    let faces = Faces::find(drawing, &wall, &bridge);
+    let rooms = Rooms::find(&faces, &faces.boundaries(drawing, &lines, &doors));
+    let mut occupied = wall;
+    faces.contacts(drawing, |at, beside| {
+        let apart = rooms.parts(faces.label[at], faces.label[beside]);
+        let is_line = drawing.ink[at] || drawing.ink[beside] || !(bridge[at] || bridge[beside]);
+        if apart && is_line {
+            occupied[at] = true;
+            occupied[beside] = true;
+        }
+    });
+    doors.iter().zip(&mut occupied).for_each(|(d, o)| *o &= !d);
+    Kinds { solid, band, occupied }
+}
+
+/// Walls drawn as bands, with the lines along them.
+fn bands(drawing: &Drawing, stroke: f64) -> Vec<bool> {
+    let band = narrow::bands(drawing, &drawing.paper());
+    let other: Vec<bool> = band.iter().map(|b| !b).collect();
+    let reach = (stroke + 0.5).powi(2);
+    let near = distance::squared(&other, drawing.width);
+    let is_beside = |i: usize| drawing.ink[i] && f64::from(near[i]) <= reach;
+    (0..band.len()).map(|i| band[i] || is_beside(i)).collect()
+}
+
+/// The median thickness of what is occupied, pixels, measured where walls are thickest.
+fn thickness(drawing: &Drawing, kinds: &Kinds) -> f64 {
+    let depth = distance::squared(&kinds.occupied, drawing.width);
+    let is_ridge = |i: &usize| {
+        let beside = components::Neighbours::Four.of(*i, drawing.width, drawing.height);
+        depth[*i] > 0 && beside.into_iter().all(|b| depth[b] <= depth[*i])
+    };
+    let mut ridge: Vec<u32> = (0..depth.len()).filter(is_ridge).map(|i| depth[i]).collect();
+    ridge.sort_unstable();
+    ridge.get(ridge.len() / 2).map_or(0.0, |&d| 2.0 * f64::from(d).sqrt() - 1.0)
+}
+
+/// The share of floor in all that is inside or wall; 0 if there is no wall.
+fn confidence(occupied: &Mask, inside: &Mask) -> f64 {
+    let floor = inside.count().saturating_sub(occupied.count()) as f64;
+    let walls = occupied.count() as f64;
+    if walls == 0.0 { 0.0 } else { (floor / (floor + walls)).min(1.0) }
+}
+
+#[cfg(test)]
+mod tests;

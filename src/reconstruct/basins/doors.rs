@@ -1,0 +1,170 @@
+//! Doors in the free space: it is cut along each of them, and the regions on their two sides are told.
+
+use super::super::doors::Door;
+use super::space::Space;
+use planform_sdk::Point;
+use std::collections::BTreeMap;
+
+/// A door's line goes on beyond its jambs to the wall, which is no farther than this, metres.
+const BEYOND: f64 = 0.4;
+
+/// Wall this far beside the line is the door's as well: symbols are a little turned. Metres.
+const LEANING: f64 = 0.2;
+
+/// Cells whose centre is no farther than this from a line are on it: none of their neighbours lie on both sides.
+const HALF: f64 = 0.75;
+
+/// Regions to a door's sides are looked for this far from its line, cells.
+const ASIDE: f64 = 1.5;
+
+/// A door as a line of cells: columns and rows of cell centres.
+struct Line {
+    from: Point,
+    along: Point,
+    length: f64,
+}
+
+impl Line {
+    /// From wall to wall along a door; none where no wall is near its jambs: what was taken for a door parts nothing.
+    fn of(door: &Door, space: &Space) -> Option<Self> {
+        let [a, b] = [door.segment.a, door.segment.b].map(|p| cell(space, p));
+        let width = a.distance(b);
+        let along = Point::new((b.x - a.x) / width, (b.y - a.y) / width);
+        let inside = Self { from: a, along, length: width };
+        if !(width.is_finite() && width > 0.0 && inside.cells(space).any(|i| space.free[i])) {
+            return None;
+        }
+        let before = inside.wall(space, 0.0, -1.0)?;
+        let after = inside.wall(space, width, 1.0)?;
+        let from = Point::new(a.x - before * along.x, a.y - before * along.y);
+        Some(Self { from, along, length: before + width + after })
+    }
+
+    /// How far it is from a place on the line to the wall, in one sense of the line; cells.
+    fn wall(&self, space: &Space, at: f64, sense: f64) -> Option<f64> {
+        let [most, aside] = [BEYOND, LEANING].map(|metres| metres / space.resolution);
+        let is_wall = |t: f64| {
+            [0.0, -aside, -aside / 2.0, aside / 2.0, aside].into_iter().any(|left| {
+                let p = self.at(at + sense * t, left);
+                space.index(p.x, p.y).is_none_or(|i| !space.free[i])
+            })
+        };
+        (0..=(2.0 * most) as usize).map(|k| k as f64 / 2.0).find(|&t| is_wall(t))
+    }
+
+    fn at(&self, along: f64, left: f64) -> Point {
+        let Point { x, y } = self.along;
+        Point::new(self.from.x + along * x - left * y, self.from.y + along * y + left * x)
+    }
+
+    /// The cells on the line that lie in the space; some come twice.
+    fn cells(&self, space: &Space) -> impl Iterator<Item = usize> {
+        let across = [-HALF, -HALF / 2.0, 0.0, HALF / 2.0, HALF];
+        let steps = (0..=(2.0 * self.length).ceil() as usize).map(|k| (k as f64 / 2.0).min(self.length));
+        let places = steps.flat_map(move |along| across.map(|left| self.at(along, left)));
+        places.filter_map(|p| space.index(p.x, p.y))
+    }
+}
+
+/// The place of a point in metres from the grid's corner, in columns and rows of the space.
+fn cell(space: &Space, p: Point) -> Point {
+    let place =
+        |metres: f64, corner: usize| metres / space.resolution - (corner * space.fineness) as f64 + 1.0 - 0.5;
+    Point::new(place(p.x, space.corner.0), place(p.y, space.corner.1))
+}
+
+/// Which free cells lie on doors; nothing if there are none.
+pub fn cells(space: &Space, doors: &[Door]) -> Vec<bool> {
+    let lines: Vec<Line> = doors.iter().filter_map(|d| Line::of(d, space)).collect();
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let mut on_door = vec![false; space.free.len()];
+    for i in lines.iter().flat_map(|line| line.cells(space)) {
+        on_door[i] = space.free[i];
+    }
+    on_door
+}
+
+/// Metres of door between each two labels, the smaller first.
+pub fn between(space: &Space, label: &[u32], doors: &[Door]) -> BTreeMap<(u32, u32), f64> {
+    let mut found = BTreeMap::new();
+    for line in doors.iter().filter_map(|d| Line::of(d, space)) {
+        let side = |along: f64, left: f64| {
+            let p = line.at(along, left);
+            space.index(p.x, p.y).map_or(0, |i| label[i])
+        };
+        for along in (0..line.length as usize).map(|k| k as f64 + 0.5) {
+            let [left, right] = [side(along, ASIDE), side(along, -ASIDE)];
+            if left != 0 && right != 0 && left != right {
+                *found.entry((left.min(right), left.max(right))).or_default() += space.resolution;
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::merge::{self, Merge};
+    use super::super::model::Model;
+    use super::super::space::tests::space;
+    use super::super::{Cut, regions::Regions};
+    use super::*;
+    use planform_sdk::Segment;
+
+    /// A hall of 8 x 4 m at 0.1 m with `wall` at 4 m, open from 1 m to `top` m.
+    fn hall(top: usize) -> Space {
+        let row = |r: usize| {
+            let wall = !(10..top * 10).contains(&r);
+            (0..80).map(|c| if wall && c == 40 { '#' } else { '.' }).collect::<String>()
+        };
+        let rows: Vec<String> = (0..40).rev().map(row).collect();
+        space(&rows.iter().map(String::as_str).collect::<Vec<_>>(), 0.1)
+    }
+
+    /// A door from (x, 1) to (x, top); the test's spaces begin at the map's corner.
+    fn door(x: f64, top: f64) -> Door {
+        Door { segment: Segment::new(Point::new(x, 1.0), Point::new(x, top)), thickness: 0.1 }
+    }
+
+    fn rooms(space: Space, doors: &[Door]) -> usize {
+        let cut = Cut::at_doors(space, doors);
+        let view = cut.view();
+        let mut regions = cut.regions(&view);
+        merge::rooms(&mut regions, &Model::default(), &Merge::default());
+        regions.all().count()
+    }
+
+    #[test]
+    fn a_door_parts_what_would_be_one_room() {
+        assert_eq!(rooms(hall(4), &[]), 1);
+        assert_eq!(rooms(hall(4), &[door(4.05, 4.0)]), 2);
+        // Turned by some degrees, and short of the jambs.
+        let leaning = Segment::new(Point::new(3.9, 1.2), Point::new(4.2, 3.8));
+        assert_eq!(rooms(hall(4), &[Door { segment: leaning, thickness: 0.1 }]), 2);
+    }
+
+    #[test]
+    fn a_door_that_does_not_reach_from_wall_to_wall_divides_nothing() {
+        let free = Door { segment: Segment::new(Point::new(2.0, 1.6), Point::new(2.0, 2.4)), thickness: 0.1 };
+        assert_eq!(rooms(hall(4), &[free]), 1);
+    }
+
+    #[test]
+    fn doors_outside_of_the_free_space_change_nothing() {
+        let cut = |doors: &[Door]| Cut::at_doors(hall(2), doors).basins.label;
+        for x in [-50.0, 1e8, f64::NAN] {
+            assert_eq!(cut(&[door(x, 2.0)]), cut(&[]));
+        }
+    }
+
+    #[test]
+    fn every_free_cell_keeps_a_basin() {
+        let cut = Cut::at_doors(hall(2), &[door(4.05, 2.0)]);
+        assert!(cut.basins.label.iter().zip(&cut.space.free).all(|(l, free)| (*l != 0) == *free));
+        let view = cut.view();
+        let regions = Regions::of_basins(&view, &cut.basins);
+        assert!(regions.pairs().iter().all(|&(a, b)| !regions.door(a, b)));
+    }
+}

@@ -1,0 +1,77 @@
+//! The adapter `blueprint` on drawn plans whose truth is known.
+//!
+//! To see a plan: `cargo run -p planform-synth -- --plan blueprint --seed 3 --out plan`. The table alone, without
+//! floors: `cargo test --test blueprints -- --ignored --nocapture`.
+
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
+
+mod accuracy_support;
+mod plan_support;
+
+use accuracy_support::for_seeds;
+use plan_support::{PlanScore, mean, print, score};
+use planform_synth::PlanStyle;
+
+/// Means over the plans, a little under what is reached.
+struct Floors {
+    removed: f64,
+    /// At most.
+    lost: f64,
+    words: f64,
+    precision: f64,
+    recall: f64,
+    names: f64,
+    a_fc: f64,
+    a_bc: f64,
+    /// At most.
+    scale_error: f64,
+}
+
+const FLOORS: Floors = Floors {
+    removed: 0.935,
+    lost: 0.005,
+    words: 0.78,
+    precision: 0.87,
+    recall: 0.69,
+    names: 0.77,
+    a_fc: 0.86,
+    a_bc: 0.91,
+    scale_error: 0.035,
+};
+
+const PLANS: u64 = 20;
+
+fn scores() -> Vec<PlanScore> {
+    let styles = [PlanStyle::Blueprint, PlanStyle::Evacuation];
+    for_seeds(0..2 * PLANS, |i| score(styles[(i / PLANS) as usize], i % PLANS + 1))
+}
+
+#[test]
+fn forty_plans_are_read_well() {
+    let scores = scores();
+    print(&scores);
+    let reached: [(&str, f64, f64); 9] = [
+        ("words removed", mean(&scores, |s| s.removed), FLOORS.removed),
+        ("walls kept", 1.0 - mean(&scores, |s| s.lost), 1.0 - FLOORS.lost),
+        ("words read right", mean(&scores, |s| s.words.share()), FLOORS.words),
+        ("symbols' precision", mean(&scores, |s| s.symbols.total().precision()), FLOORS.precision),
+        ("symbols' recall", mean(&scores, |s| s.symbols.total().recall()), FLOORS.recall),
+        ("room names right", mean(&scores, |s| s.rooms.names.share()), FLOORS.names),
+        ("A_FC", mean(&scores, |s| s.rooms.a_fc), FLOORS.a_fc),
+        ("A_BC", mean(&scores, |s| s.rooms.a_bc), FLOORS.a_bc),
+        ("scale right", 1.0 - mean(&scores, |s| s.scale_error), 1.0 - FLOORS.scale_error),
+    ];
+    let missed: Vec<String> = reached
+        .iter()
+        .filter(|(_, value, floor)| value < floor)
+        .map(|(name, value, floor)| format!("{name} {value:.3} < {floor:.3}"))
+        .collect();
+    assert!(missed.is_empty(), "{}", missed.join(", "));
+}
+
+#[test]
+#[ignore = "prints the table, and holds nobody to it"]
+fn table() {
+    print(&scores());
+}
