@@ -141,8 +141,3 @@ fn symbol_on_sheet(sheet: &Sheet, symbol: &SheetSymbol) -> SheetSymbol {
     }
     turned
 }
-
-/// The ink that is left when words and symbols are taken off.
-pub fn left_over(reading: &Reading) -> Mask {
-    reading.sheet.ink.clone().without(&reading.words.erase).without(&reading.symbols.erase)
-}

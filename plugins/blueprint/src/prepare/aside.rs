@@ -4,8 +4,8 @@
 //! lies among the walls.
 
 use super::clusters::{Cells, Cluster, Span, flood};
-use super::rows;
 use crate::mask::Mask;
+use crate::rows;
 
 /// A gap of twice as many cells, half a per cent of the sheet, parts a frame from what it frames.
 const FRAME_GAP: u32 = 1;

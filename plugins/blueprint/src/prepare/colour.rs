@@ -2,7 +2,8 @@
 //! and letters on them stay, as dark as they are against them.
 
 use super::palette::{Meaning, Palette};
-use super::{rows, tone};
+use super::tone;
+use crate::rows;
 use image::{GrayImage, RgbImage};
 
 /// A floor's colour fills at least a square of this many pixels somewhere near; thinner, it is the soft edge

@@ -5,8 +5,8 @@
 //! 1986), so that fine grey lines are kept while the soft edges of black ones do not make these thicker. How
 //! light a stroke can be depends on how noisy the paper is.
 
-use super::rows;
 use crate::mask::Mask;
+use crate::rows;
 use image::GrayImage;
 
 /// The page's threshold stays between these whatever its tones are; the paper is 255.

@@ -5,7 +5,7 @@
 //! light does; the edge of a painted floor is a step, so floors are not taken for badly lit paper. Where no
 //! paper is seen it is interpolated.
 
-use super::rows;
+use crate::rows;
 
 /// Blocks along the longer side of a picture.
 const BLOCKS: usize = 96;

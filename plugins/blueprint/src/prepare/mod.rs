@@ -9,7 +9,6 @@ mod light;
 mod morphology;
 mod negative;
 mod palette;
-mod rows;
 mod skew;
 mod tone;
 mod turn;

@@ -1,7 +1,8 @@
 //! Light lines on a dark ground: blueprints in the word's old sense, and screens of CAD programs.
 
-use super::{morphology, rows, tone};
+use super::{morphology, tone};
 use crate::mask::Mask;
+use crate::rows;
 use image::{GrayImage, RgbImage};
 
 /// A ground is thicker than this share of the page's smaller side; walls are thinner.

@@ -5,7 +5,7 @@
 //! into each place is largest there (Postl, "Detection of linear oblique structures and skew scan in
 //! digitized documents", 1986). Both families of strokes, along and across, are projected at once.
 
-use super::rows;
+use crate::rows;
 use image::GrayImage;
 
 /// The page is looked at with about this many pixels along its longer side.

@@ -1,6 +1,6 @@
 //! Turning pictures by small angles.
 
-use super::rows;
+use crate::rows;
 use image::{ImageBuffer, Pixel};
 
 /// Turns a picture about its middle by an angle, radians clockwise as seen, into one that is large enough to

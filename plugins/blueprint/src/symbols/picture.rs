@@ -1,8 +1,8 @@
 //! A picture of what was found, for whoever looks on.
 
 use super::Symbols;
-use super::plane::{Vec2, direction, moved};
 use super::shapes::Box2;
+use crate::paint::line;
 use crate::sheet::Sheet;
 use image::{Rgb, RgbImage};
 
@@ -28,17 +28,4 @@ pub fn of(sheet: &Sheet, found: &Symbols) -> RgbImage {
         symbol.leaves.iter().for_each(|l| line(&mut picture, l.hinge, l.open, LEAF));
     }
     picture
-}
-
-fn line(picture: &mut RgbImage, from: Vec2, to: Vec2, colour: Rgb<u8>) {
-    let (along, length) = direction(from, to);
-    for step in 0..=(length * 2.0) as u32 {
-        let [x, y] = moved(from, along, f64::from(step) / 2.0);
-        if x >= 0.0
-            && y >= 0.0
-            && let Some(pixel) = picture.get_pixel_mut_checked(x as u32, y as u32)
-        {
-            *pixel = colour;
-        }
-    }
 }

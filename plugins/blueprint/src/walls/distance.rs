@@ -3,14 +3,14 @@
 //! The exact Euclidean transform of Felzenszwalb and Huttenlocher, "Distance Transforms of Sampled Functions", 2012:
 //! columns first, then the lower envelope of parabolas in every row, so that the cost is linear in the pixels.
 
-use super::parallel;
+use crate::rows;
 
 /// Squared distances, pixels, to the nearest pixel that `far` says no of. Where there is none, a huge number.
 pub fn squared(far: &[bool], width: usize) -> Vec<u32> {
     let height = far.len().checked_div(width).unwrap_or(0);
     let columns = down(far, width, height);
     let mut out = vec![0; far.len()];
-    parallel::rows(&mut out, width, |y, row| across(&columns[y * width..][..width], row));
+    rows::for_each(&mut out, width, |y, row| across(&columns[y * width..][..width], row));
     out
 }
 

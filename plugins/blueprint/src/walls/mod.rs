@@ -19,7 +19,6 @@ mod leaving;
 mod merge;
 mod narrow;
 mod openings;
-mod parallel;
 mod picture;
 mod scale;
 mod straight;

@@ -1,6 +1,7 @@
 //! The picture of what was found.
 
 use super::Words;
+use crate::paint::outline;
 use crate::sheet::Sheet;
 use image::{Rgb, RgbImage};
 
@@ -22,24 +23,7 @@ pub fn words(sheet: &Sheet, words: &Words) -> RgbImage {
         }
     });
     for text in &words.texts {
-        let (sin, cos) = text.angle.sin_cos();
-        let (w, h) = (text.width / 2.0 + 2.0, text.height / 2.0 + 2.0);
-        let corner =
-            |a: f64, b: f64| [text.centre[0] + cos * a - sin * b, text.centre[1] + sin * a + cos * b];
-        let ring = [corner(-w, -h), corner(w, -h), corner(w, h), corner(-w, h), corner(-w, -h)];
-        ring.windows(2).for_each(|side| stroke(&mut picture, side[0], side[1]));
+        outline(&mut picture, text.centre, text.angle, [text.width + 4.0, text.height + 4.0], READ);
     }
     picture
-}
-
-/// A thin line.
-fn stroke(picture: &mut RgbImage, from: [f64; 2], to: [f64; 2]) {
-    let steps = (to[0] - from[0]).abs().max((to[1] - from[1]).abs()).ceil().max(1.0);
-    for i in 0..=steps as u32 {
-        let t = f64::from(i) / steps;
-        let [x, y] = [0, 1].map(|k| from[k] + t * (to[k] - from[k]));
-        if x >= 0.0 && y >= 0.0 && x < f64::from(picture.width()) && y < f64::from(picture.height()) {
-            picture.put_pixel(x as u32, y as u32, READ);
-        }
-    }
 }
