@@ -51,7 +51,8 @@ pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<R
     let ink = ink.without(&symbols.erase);
     let by_doors = || scale::by_doors(&symbols.symbols).map(|e| e.metres_per_pixel);
     let guess = good(&estimates).or_else(by_doors);
-    let walls = walls::find(&ink, &sheet, &symbols.symbols, guess, stages);
+    let read = walls::Read { texts: &words.texts, symbols: &symbols.symbols };
+    let walls = walls::find(&ink, &sheet, read, guess, stages);
     if walls.occupied.count() == 0 || walls.inside.count() == 0 {
         return Err(no_walls());
     }

@@ -14,7 +14,7 @@ const GAP: u32 = 3;
 /// A frame, or a table's border, is drawn along so much of each side.
 const DRAWN: f32 = 0.95;
 /// A frame encloses a drawing of at least this share of its own area.
-const FRAMED: f32 = 0.2;
+const FRAMED: f32 = 0.08;
 /// At most so much of a frame's cluster (its title block) lies away from its sides.
 const INSIDE: f32 = 0.5;
 /// What is this much shorter than the building, and apart from it, is no wing.

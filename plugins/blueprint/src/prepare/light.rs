@@ -11,8 +11,11 @@ use crate::rows;
 const BLOCKS: usize = 96;
 /// Light changes by less than this from a block to the next one.
 const STEP: f32 = 0.06;
-/// The paper is the brightest connected part of the picture that covers at least this much of it.
+/// The paper is a connected part of the picture that covers at least this much of it,
 const PAPER_SHARE: f32 = 0.1;
+/// and is at least so bright, of the brightest such part. One that reaches the picture's edge is preferred: the rooms of
+/// a plan may lie in better light than the paper around it.
+const PAPER_TONE: f32 = 0.7;
 /// In the blocks' sorted tones the paper is here: above strokes and their soft edges, below the brightest
 /// noise.
 const PAPER_QUANTILE: f32 = 0.75;
@@ -88,8 +91,11 @@ impl<const CHANNELS: usize> Blocks<CHANNELS> {
         let parts = self.parts();
         let least = (self.tones.len() as f32 * PAPER_SHARE) as usize;
         let tone = |p: &Vec<usize>| p.iter().map(|&b| self.brightness(b)).sum::<f32>() / p.len() as f32;
-        let large = parts.iter().filter(|p| p.len() > least);
-        let paper = large.max_by(|a, b| tone(a).total_cmp(&tone(b)));
+        let large: Vec<_> = parts.iter().filter(|p| p.len() > least).collect();
+        let brightest = large.iter().map(|p| tone(p)).fold(0.0, f32::max);
+        let bright = large.into_iter().filter(|p| tone(p) >= PAPER_TONE * brightest);
+        let is_outer = |p: &Vec<usize>| p.iter().any(|&b| self.neighbours(b).count() < 4);
+        let paper = bright.max_by(|a, b| is_outer(a).cmp(&is_outer(b)).then(tone(a).total_cmp(&tone(b))));
         let mut reached = vec![false; self.tones.len()];
         paper.into_iter().flatten().for_each(|&b| reached[b] = true);
         reached
@@ -240,6 +246,15 @@ mod tests {
         assert!(flatten::<1>(&mut data, 300));
         assert!(data[150 * 300 + 150] < 230);
         assert!(data[30 * 300 + 20] > 250 && data[290 * 300 + 20] > 250);
+    }
+
+    #[test]
+    fn the_paper_around_a_plan_is_followed_into_the_shade() {
+        let light = |x: usize| 220.0 - 0.4 * x as f32;
+        let is_wall = |x: usize, y: usize| x.max(y) < 200 && (x.min(y) < 20 || x.max(y) >= 180);
+        let mut data = picture(300, |x, y| if is_wall(x, y) { 40.0 } else { light(x) });
+        assert!(flatten::<1>(&mut data, 300));
+        assert!(data[250 * 300 + 290] > 240 && data[20 * 300 + 280] > 240);
     }
 
     #[test]

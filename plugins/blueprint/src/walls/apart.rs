@@ -8,8 +8,11 @@ use crate::found::SheetSymbol;
 /// With so many doors in the building, a building beside it has one as well.
 const DOORS: usize = 2;
 
-/// What is at least this share of the largest part is building, with doors or without.
+/// What is at least this share of the largest part is building, with doors or without,
 const SHARE: f64 = 0.4;
+
+/// unless the largest part has so many doors that a building of that size would have this many.
+const EXPECTED: f64 = 2.0;
 
 /// Takes the parts without doors that are apart from the building, and smaller, off what is occupied and inside.
 pub fn remove(drawing: &Drawing, symbols: &[SheetSymbol], occupied: &mut [bool], inside: &mut [bool]) {
@@ -21,8 +24,10 @@ pub fn remove(drawing: &Drawing, symbols: &[SheetSymbol], occupied: &mut [bool],
             doors[part as usize] += 1;
         }
     }
-    let largest = parts.all.iter().map(|p| p.area).max().unwrap_or(0) as f64;
-    let is_apart = |part: usize| doors[part] == 0 && (parts.all[part].area as f64) < SHARE * largest;
+    let largest = (0..parts.all.len()).max_by_key(|&p| parts.all[p].area).unwrap_or(0);
+    let share = |part: usize| parts.all[part].area as f64 / parts.all[largest].area.max(1) as f64;
+    let expects = |part: usize| share(part) * doors[largest] as f64 >= EXPECTED;
+    let is_apart = |part: usize| doors[part] == 0 && (share(part) < SHARE || expects(part));
     if doors.iter().skip(1).sum::<usize>() < DOORS {
         return;
     }
@@ -38,9 +43,7 @@ fn near(drawing: &Drawing, door: &SheetSymbol, label: &[u32]) -> Vec<u32> {
     let (sin, cos) = door.angle.sin_cos();
     let at = |along: f64| {
         let p = [door.centre[0] + along * cos, door.centre[1] + along * sin];
-        let [x, y] = p.map(|c| (c / drawing.factor as f64).floor());
-        let inside = x >= 0.0 && y >= 0.0 && x < drawing.width as f64 && y < drawing.height as f64;
-        inside.then(|| label[y as usize * drawing.width + x as usize]).filter(|&part| part != 0)
+        drawing.at_sheet(p).map(|i| label[i]).filter(|&part| part != 0)
     };
     let mut parts: Vec<u32> = [-0.6, -0.5, 0.0, 0.5, 0.6].iter().filter_map(|s| at(s * door.width)).collect();
     parts.sort_unstable();

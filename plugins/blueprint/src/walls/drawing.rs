@@ -50,6 +50,13 @@ impl Drawing {
         out
     }
 
+    /// The pixel at a place on the sheet, if it lies on the drawing.
+    pub fn at_sheet(&self, place: [f64; 2]) -> Option<usize> {
+        let [x, y] = place.map(|c| (c / self.factor as f64).floor());
+        let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
+        inside.then(|| y as usize * self.width + x as usize)
+    }
+
     /// How far every pixel of paper is from ink: squared, pixels.
     pub fn paper(&self) -> Vec<u32> {
         let paper: Vec<bool> = self.ink.iter().map(|i| !i).collect();

@@ -5,9 +5,10 @@
 //! (`bridges`), so that ink and walls enclose faces (`faces`); faces that are too small for a room, and those with more
 //! gap than line between them, become one with the face beside (`merge`), for they are furniture, stairs, hatching. A
 //! line that still has different rooms on its two sides is a wall, all others are not, nor are lines that run through an
-//! outer wall (`leaving`). What walls enclose is the building (`inside`).
+//! outer wall (`leaving`) or lie beyond it (`beyond`). What walls enclose is the building (`inside`).
 
 mod apart;
+mod beyond;
 mod bridges;
 mod cells;
 mod components;
@@ -27,7 +28,7 @@ mod tracks;
 
 pub use cells::{Cells, cells};
 
-use crate::found::SheetSymbol;
+use crate::found::{SheetSymbol, SheetText};
 use crate::mask::Mask;
 use crate::sheet::Sheet;
 use crate::stages::Stages;
@@ -35,6 +36,7 @@ use drawing::Drawing;
 use faces::Faces;
 use merge::Rooms;
 use picture::Kinds;
+use straight::Straight;
 
 /// Lines of at least this length point across gaps, metres,
 const LINE: f64 = 0.5;
@@ -63,28 +65,38 @@ pub struct Walls {
     pub confidence: f64,
 }
 
+/// What was read of the sheet, and erased from its ink.
+#[derive(Debug, Clone, Copy)]
+pub struct Read<'a> {
+    /// The words.
+    pub texts: &'a [SheetText],
+    /// The symbols, doors and windows among them.
+    pub symbols: &'a [SheetSymbol],
+}
+
 /// Finds the walls in the ink of a sheet, of which words and symbols have been erased. Without `metres_per_pixel` the
 /// scale is guessed, by the doors if there are some.
 pub fn find(
     ink: &Mask,
     sheet: &Sheet,
-    doors_and_windows: &[SheetSymbol],
+    read: Read,
     metres_per_pixel: Option<f64>,
     stages: &mut dyn Stages,
 ) -> Walls {
     let given = metres_per_pixel.filter(|m| m.is_finite() && *m > 0.0);
-    let metres_per_pixel = given.unwrap_or_else(|| scale::guess(ink, doors_and_windows));
+    let metres_per_pixel = given.unwrap_or_else(|| scale::guess(ink, read.symbols));
     let mut drawing = Drawing::of_sheet(ink, metres_per_pixel);
     let stroke = stroke::usual(&drawing);
-    let sure = sure(&drawing, stroke, doors_and_windows);
-    if let Some(enclosed) = enclosed(&drawing, &sure) {
-        let leaving = leaving::lines(&drawing, &enclosed);
-        let thin = leaving.iter().zip(&sure.wall).map(|(l, w)| *l && !w);
-        thin.zip(&mut drawing.ink).for_each(|(l, i)| *i &= !l);
-    }
-    let mut kinds = tell(&drawing, sure);
+    let mut lines = straight::runs(&drawing.ink, drawing.width);
+    let sure = sure(&drawing, &lines, stroke, read);
+    let none = none_of_it(&drawing, &sure, read.symbols);
+    (0..none.len()).filter(|&i| none[i]).for_each(|i| {
+        drawing.ink[i] = false;
+        lines.length[i] = 0;
+    });
+    let mut kinds = tell(&drawing, &lines, sure);
     let mut inside = inside::find(&drawing, &kinds.occupied);
-    apart::remove(&drawing, doors_and_windows, &mut kinds.occupied, &mut inside);
+    apart::remove(&drawing, read.symbols, &mut kinds.occupied, &mut inside);
     let inside = drawing.on_sheet(&inside, ink);
     let occupied = drawing.on_sheet(&kinds.occupied, ink);
     stages.stage("walls", &mut || picture::of(&sheet.colour, &drawing, &kinds, &inside));
@@ -102,32 +114,39 @@ struct Sure {
     wall: Vec<bool>,
 }
 
-fn sure(drawing: &Drawing, stroke: f64, symbols: &[SheetSymbol]) -> Sure {
-    let doors = openings::doors(drawing, symbols);
+fn sure(drawing: &Drawing, lines: &Straight, stroke: f64, read: Read) -> Sure {
+    let doors = openings::doors(drawing, read.symbols);
     let solid = stroke::solid(drawing, stroke);
-    let mut band = bands(drawing, stroke);
-    openings::windows(drawing, symbols).into_iter().zip(&mut band).for_each(|(w, b)| *b |= w);
+    let windows = openings::windows(drawing, read.symbols);
+    let openings: Vec<bool> = doors.iter().zip(&windows).map(|(d, w)| *d || *w).collect();
+    let mut band = outlined(drawing, &narrow::bands(drawing, lines, &openings, read.texts), stroke);
+    windows.into_iter().zip(&mut band).for_each(|(w, b)| *b |= w);
     let wall = (0..band.len()).map(|i| (solid[i] || band[i]) && !doors[i]).collect();
     Sure { solid, band, doors, wall }
 }
 
-/// What the sure walls enclose, if that is most of what is enclosed by any line: then they are the building's outer walls.
-fn enclosed(drawing: &Drawing, sure: &Sure) -> Option<Vec<bool>> {
+/// Thin lines that are none of the building's, if the sure walls enclose most of what is enclosed by any line: then
+/// they are its outer walls, and lines beyond them or through them are not.
+fn none_of_it(drawing: &Drawing, sure: &Sure, symbols: &[SheetSymbol]) -> Vec<bool> {
     let count = |set: &[bool]| set.iter().filter(|&&s| s).count() as f64;
     let by_walls = inside::find(drawing, &sure.wall);
     let by_lines = inside::find(drawing, &drawing.ink);
-    (count(&by_walls) >= MOST * count(&by_lines)).then_some(by_walls)
+    if count(&by_walls) < MOST * count(&by_lines) {
+        return vec![false; drawing.ink.len()];
+    }
+    let leaving = leaving::lines(drawing, &by_walls);
+    let beyond = beyond::ink(drawing, &by_walls, &by_lines, symbols);
+    (0..leaving.len()).map(|i| (leaving[i] || beyond[i]) && !sure.wall[i]).collect()
 }
 
 /// Tells what is what.
-fn tell(drawing: &Drawing, sure: Sure) -> Kinds {
+fn tell(drawing: &Drawing, lines: &Straight, sure: Sure) -> Kinds {
     let Sure { solid, band, doors, wall } = sure;
-    let lines = straight::runs(&drawing.ink, drawing.width);
     let span = bridges::Span { line: LINE * drawing.metre, reach: DOORWAY * drawing.metre };
-    let mut bridge = bridges::find(&drawing.ink, &wall, &lines, drawing.width, span);
+    let mut bridge = bridges::find(&drawing.ink, &wall, lines, drawing.width, span);
     doors.iter().zip(&mut bridge).for_each(|(d, b)| *b |= d);
     let faces = Faces::find(drawing, &wall, &bridge);
-    let rooms = Rooms::find(&faces, &faces.boundaries(drawing, &lines, &doors));
+    let rooms = Rooms::find(&faces, &faces.boundaries(drawing, lines, &doors));
     let mut occupied = wall;
     faces.contacts(drawing, |at, beside| {
         let apart = rooms.parts(faces.label[at], faces.label[beside]);
@@ -141,9 +160,8 @@ fn tell(drawing: &Drawing, sure: Sure) -> Kinds {
     Kinds { solid, band, occupied }
 }
 
-/// Walls drawn as bands, with the lines along them.
-fn bands(drawing: &Drawing, stroke: f64) -> Vec<bool> {
-    let band = narrow::bands(drawing, &drawing.paper());
+/// Bands with the lines along them.
+fn outlined(drawing: &Drawing, band: &[bool], stroke: f64) -> Vec<bool> {
     let other: Vec<bool> = band.iter().map(|b| !b).collect();
     let reach = (stroke + 0.5).powi(2);
     let near = distance::squared(&other, drawing.width);

@@ -27,6 +27,11 @@ pub fn windows(drawing: &Drawing, symbols: &[SheetSymbol]) -> Vec<bool> {
     out
 }
 
+/// Whether a symbol is a door or a window.
+pub fn is_opening(symbol: &SheetSymbol) -> bool {
+    is_door(symbol) || symbol.kind == "window"
+}
+
 /// Whether a symbol is a door.
 pub fn is_door(symbol: &SheetSymbol) -> bool {
     DOORS.contains(&symbol.kind.as_str())

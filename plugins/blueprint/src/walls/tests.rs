@@ -47,7 +47,7 @@ impl Plan {
             turned: 0.0,
             page_size: [WIDTH, HEIGHT],
         };
-        find(&self.0, &sheet, symbols, Some(0.05), &mut Unwatched)
+        find(&self.0, &sheet, Read { texts: &[], symbols }, Some(0.05), &mut Unwatched)
     }
 }
 

@@ -1,0 +1,85 @@
+//! Thin lines beyond the outer walls: dimension and extension lines, legends, paving. What they enclose is no room,
+//! unless it has doors or windows of its own, or outer walls nearly all around.
+
+use super::components::{self, Components, Neighbours};
+use super::distance;
+use super::drawing::Drawing;
+use super::openings;
+use crate::found::SheetSymbol;
+
+/// Lines are beyond where they are farther than this from what the outer walls enclose, metres: a thin line nearer than
+/// that may be a wall's outline.
+const BEYOND: f64 = 0.4;
+
+/// A part with this share of its rim at the building is a room whose own outer wall was not seen.
+const ROOM: f64 = 0.8;
+
+/// The ink beyond what the outer walls enclose, but for that of parts that are the building's. `by_walls` and
+/// `by_lines`: what the walls alone, and what all lines enclose.
+pub fn ink(drawing: &Drawing, by_walls: &[bool], by_lines: &[bool], symbols: &[SheetSymbol]) -> Vec<bool> {
+    let outer: Vec<bool> = by_lines.iter().zip(by_walls).map(|(l, w)| *l && !w).collect();
+    let parts = components::find(&outer, drawing.width, Neighbours::Four);
+    let built = built(drawing, by_walls, &parts, symbols);
+    let far = distance::squared(&by_walls.iter().map(|w| !w).collect::<Vec<_>>(), drawing.width);
+    let reach = (BEYOND * drawing.metre).powi(2);
+    let is_beyond = |i: usize| f64::from(far[i]) > reach && !built[parts.label[i] as usize];
+    (0..outer.len()).map(|i| drawing.ink[i] && is_beyond(i)).collect()
+}
+
+/// Which of the parts are the building's.
+fn built(drawing: &Drawing, by_walls: &[bool], parts: &Components, symbols: &[SheetSymbol]) -> Vec<bool> {
+    let mut rim = vec![[0usize; 2]; parts.all.len()];
+    for (i, &label) in parts.label.iter().enumerate().filter(|(_, l)| **l != 0) {
+        let beside = Neighbours::Four.of(i, drawing.width, drawing.height);
+        beside.filter(|&b| parts.label[b] != label).for_each(|b| {
+            rim[label as usize][usize::from(by_walls[b])] += 1;
+        });
+    }
+    let mut built: Vec<bool> =
+        rim.iter().map(|[open, wall]| *wall as f64 >= ROOM * (open + wall) as f64).collect();
+    let opening = symbols.iter().filter(|s| openings::is_opening(s));
+    opening.filter_map(|s| drawing.at_sheet(s.centre)).for_each(|at| built[parts.label[at] as usize] = true);
+    built[0] = false;
+    built
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mask::Mask;
+
+    fn door(centre: [f64; 2]) -> SheetSymbol {
+        let (kind, leaves) = ("door".to_owned(), Vec::new());
+        SheetSymbol { kind, centre, angle: 0.0, width: 9.0, height: 2.0, score: 1.0, leaves }
+    }
+
+    /// A building in columns 0 to 39, an annexe of thin lines in columns 50 to 89; a line in each.
+    fn beyond(symbols: &[SheetSymbol]) -> [bool; 2] {
+        let mut mask = Mask::empty(100, 40);
+        (5..90).for_each(|x| mask.set[20 * 100 + x] = true);
+        let drawing = Drawing::of_sheet(&mask, 0.1);
+        let by_walls: Vec<bool> = (0..4000).map(|i| i % 100 < 40).collect();
+        let by_lines: Vec<bool> = (0..4000).map(|i| i % 100 < 40 || (50..90).contains(&(i % 100))).collect();
+        let found = ink(&drawing, &by_walls, &by_lines, symbols);
+        [found[20 * 100 + 20], found[20 * 100 + 70]]
+    }
+
+    #[test]
+    fn a_part_between_the_buildings_walls_stays() {
+        let mut mask = Mask::empty(100, 40);
+        (5..90).for_each(|x| mask.set[20 * 100 + x] = true);
+        let drawing = Drawing::of_sheet(&mask, 0.1);
+        let court = |i: usize| (30..70).contains(&(i % 100)) && i / 100 < 30;
+        let by_walls: Vec<bool> = (0..4000).map(|i| !court(i)).collect();
+        assert!(!ink(&drawing, &by_walls, &[true; 4000], &[]).contains(&true));
+        let by_lines: Vec<bool> = (0..4000).map(|i| !court(i) || i / 100 > 16).collect();
+        assert!(ink(&drawing, &by_walls, &by_lines, &[])[20 * 100 + 50]);
+    }
+
+    #[test]
+    fn lines_outside_go_unless_a_door_is_among_them() {
+        assert_eq!(beyond(&[]), [false, true]);
+        assert_eq!(beyond(&[door([39.0, 20.0])]), [false, true]);
+        assert_eq!(beyond(&[door([60.0, 20.0])]), [false, false]);
+    }
+}
