@@ -4,9 +4,6 @@ use super::directions::{difference, line_angle};
 use super::openings::Gap;
 use planform_sdk::{OpeningKind, Point, Scene, Segment, Symbol};
 
-/// The symbols that are doors.
-const KINDS: [&str; 3] = ["door", "double-door", "sliding-door"];
-
 /// A door is wider than this, metres; what is drawn smaller is none.
 const LEAST_WIDTH: f64 = 0.3;
 
@@ -30,7 +27,7 @@ pub struct Door {
 
 /// The doors that a scene's symbols show.
 pub fn of_scene(scene: &Scene) -> Vec<Door> {
-    let doors = scene.symbols.iter().filter(|s| KINDS.contains(&s.kind.as_str()));
+    let doors = scene.symbols.iter().filter(|s| s.is_door());
     doors.filter_map(|symbol| door(scene, symbol)).collect()
 }
 

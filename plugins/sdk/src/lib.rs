@@ -18,6 +18,7 @@ mod anchor;
 mod boundary;
 mod error;
 mod exporter;
+mod fitting;
 mod geometry;
 mod grid;
 mod layout;
@@ -31,6 +32,7 @@ pub use anchor::Bearing;
 pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
 pub use exporter::{Document, Exporter, WriteFn, exporter};
+pub use fitting::Fitting;
 pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};
 pub use layout::{

@@ -109,6 +109,18 @@ pub struct Symbol {
     pub leaves: Vec<DoorLeaf>,
 }
 
+impl Symbol {
+    /// Whether it is a door.
+    pub fn is_door(&self) -> bool {
+        matches!(self.kind.as_str(), "door" | "double-door" | "sliding-door")
+    }
+
+    /// Whether it is a window.
+    pub fn is_window(&self) -> bool {
+        self.kind == "window"
+    }
+}
+
 /// A leaf of a door as a plan draws it, in the map frame: a line for the open leaf and an arc for its way.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DoorLeaf {
@@ -118,6 +130,37 @@ pub struct DoorLeaf {
     pub closed: Point,
     /// Where its free end lies when it is as far open as drawn, metres.
     pub open: Point,
+}
+
+impl DoorLeaf {
+    /// Its length, metres.
+    pub fn length(&self) -> f64 {
+        self.hinge.distance(self.closed)
+    }
+
+    /// How far it turns to be open, radians in [-pi, pi], counter-clockwise.
+    ///
+    /// ```
+    /// # use planform_sdk::{DoorLeaf, Point};
+    /// let hinge = Point::new(1.0, 1.0);
+    /// let leaf = DoorLeaf { hinge, closed: Point::new(2.0, 1.0), open: Point::new(1.0, 0.0) };
+    /// assert_eq!(leaf.swing(), -std::f64::consts::FRAC_PI_2);
+    /// assert!(leaf.at(1.0).distance(leaf.open) < 1e-9);
+    /// ```
+    pub fn swing(&self) -> f64 {
+        let turned = self.bearing(self.open) - self.bearing(self.closed);
+        turned.sin().atan2(turned.cos())
+    }
+
+    /// Where its free end is on its way, from 0 (closed) to 1 (open), on the circle about the hinge.
+    pub fn at(&self, share: f64) -> Point {
+        let (sin, cos) = (self.bearing(self.closed) + share * self.swing()).sin_cos();
+        Point::new(self.hinge.x + self.length() * cos, self.hinge.y + self.length() * sin)
+    }
+
+    fn bearing(&self, end: Point) -> f64 {
+        (end.y - self.hinge.y).atan2(end.x - self.hinge.x)
+    }
 }
 
 /// How large a document shows the building.
