@@ -39,3 +39,24 @@ pub const DRAWINGS: &[(&str, &str)] = &[
 pub fn drawing(file: &str) -> Option<&'static str> {
     DRAWINGS.iter().find(|(name, _)| *name == file).map(|(_, svg)| *svg)
 }
+
+/// The drawing to show where a symbol of this kind is meant, whichever of its drawings it was found by.
+pub fn of_kind(kind: &str) -> Option<&'static str> {
+    match kind {
+        "emergency-exit" => drawing("emergency-exit-right.svg"),
+        "you-are-here" => drawing("you-are-here-ring.svg"),
+        _ => drawing(&format!("{kind}.svg")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_the_table_has_a_drawing() {
+        let kinds = TABLE.lines().filter_map(|l| l.strip_prefix("kind = \"")?.strip_suffix('"'));
+        assert_eq!(kinds.clone().find(|kind| of_kind(kind).is_none()), None);
+        assert!(kinds.count() > 10);
+    }
+}

@@ -14,9 +14,10 @@
 //! | `grid` | the occupancy grid as a picture; only with the option `grid` |
 //! | `rooms` | a path for each, id `room-1`, class `room complete` or `room partial`, `data-id`, `data-name`, `data-area` (floor, m²) |
 //! | `walls` | a line for each, id `wall-1`, class `wall` and `strong`, `medium` or `weak` by thirds of its `data-weight` |
-//! | `doors` | a group for each opening, id `opening-1`, class `door` or `passage`, `data-rooms`, `data-width` (m) |
+//! | `windows` | the document's windows: two thin lines in the wall, a group for each as in `symbols` |
+//! | `doors` | a group for each opening, id `opening-1`, class `door` or `passage`, `data-rooms`, `data-width` (m); then the document's doors, a group for each as in `symbols`: a line (class `leaf`) and an arc (`swing`) for each leaf, and `data-opening`, the id of its opening; a door without one, as to the outside, is cut out of the wall |
 //! | `frontiers` | dashed lines, id `frontier-1`, `data-room`, `data-leads` (`room`, `space`), `data-area` (behind it, m²; 0 is no estimate) |
-//! | `symbols` | the document's symbols, id `symbol-1`, `data-kind`, `data-score` |
+//! | `symbols` | the document's other symbols in a drawing of their kind, else as a box with a tick in its direction; a group for each, id `symbol-1`, `data-kind`, `data-score`; before them the drawings, id `kind-toilet` |
 //! | `texts` | the document's texts, id `text-1`; those that a label repeats have the class `named` and are hidden |
 //! | `labels` | name or number, and floor area, of each room, id `label-1`; not with the option `labels=false` |
 //! | `scale` | a scale bar |
@@ -31,6 +32,7 @@ mod rooms;
 mod sheet;
 mod spot;
 mod style;
+mod symbols;
 mod walls;
 
 use element::{layer, number, title, with_text};
@@ -131,9 +133,10 @@ fn layers(layout: &Layout, options: &Options, sheet: &Sheet) -> Vec<Group> {
     let mut layers = vec![
         rooms::draw(layout, boundary, sheet),
         walls::draw(layout, sheet),
+        symbols::windows(layout, sheet),
         walls::open(layout, sheet),
         walls::frontiers(layout, sheet),
-        notes::symbols(layout, sheet),
+        symbols::others(layout, sheet),
         notes::texts(layout, labels, sheet),
     ];
     if labels {

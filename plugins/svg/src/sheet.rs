@@ -82,7 +82,9 @@ fn points(layout: &Layout) -> impl Iterator<Item = Point> {
         .flat_map(|s| [s.a, s.b]);
     let texts = layout.texts.iter().flat_map(|t| corners(&t.pose, t.width, t.height));
     let symbols = layout.symbols.iter().flat_map(|s| corners(&s.pose, s.width, s.height));
-    rooms.chain(segments).chain(texts).chain(symbols)
+    let leaves = layout.symbols.iter().flat_map(|s| &s.leaves);
+    let swings = leaves.flat_map(|l| [l.hinge, l.open, l.closed, l.at(0.5), l.at(1.0)]);
+    rooms.chain(segments).chain(texts).chain(symbols).chain(swings)
 }
 
 /// The corners of a box about its middle, in the map frame.

@@ -25,7 +25,11 @@ pub const RULES: &str = "
 .door-sill { stroke: #b5530a }
 .passage-sill { stroke: #b5530a; stroke-dasharray: 0.12 0.08 }
 .frontier { stroke: #1f6fb5; stroke-width: 0.06; stroke-dasharray: 0.25 0.15 }
-.symbol { fill: none; stroke: #b3123c; stroke-width: 0.03 }
+.leaf { fill: none; stroke: #b5530a; stroke-width: 0.05 }
+.swing { fill: none; stroke: #b5530a; stroke-width: 0.015 }
+.glass { fill: none; stroke: #222222; stroke-width: 0.015 }
+.steps { fill: none; stroke: #6b6b6b; stroke-width: 0.02 }
+.symbol-box { fill: none; stroke: #b3123c; stroke-width: 0.03 }
 .text { font-family: sans-serif; fill: #8a5a00; text-anchor: middle }
 .named { visibility: hidden }
 .name { font-family: sans-serif; font-weight: bold; fill: #222222; text-anchor: middle }

@@ -3,6 +3,7 @@
 use crate::element::{layer, number, title};
 use crate::sheet::Sheet;
 use crate::spot::distance_to_segment;
+use crate::symbols;
 use planform_sdk::{Frontier, FrontierKind, Layout, Opening, OpeningKind, Point, RoomId, Segment, Wall};
 use std::collections::BTreeMap;
 use svg::node::element::{Group, Line, Path};
@@ -86,10 +87,10 @@ fn cap(wall: &Wall, joints: &BTreeMap<Place, Joint>) -> &'static str {
     if square(wall.line.a) && square(wall.line.b) { "square" } else { "round" }
 }
 
-/// The layer `doors`: the wall cut from jamb to jamb, and what the opening is.
+/// The layer `doors`: the wall cut from jamb to jamb, and what the opening is; over that the doors' leaves.
 pub fn open(layout: &Layout, sheet: &Sheet) -> Group {
-    let openings = (1..).zip(&layout.openings);
-    openings.map(|(n, o)| opening(n, o, cut(o, &layout.walls), sheet)).fold(layer("doors"), Group::add)
+    let openings = (1..).zip(&layout.openings).map(|(n, o)| opening(n, o, cut(o, &layout.walls), sheet));
+    openings.chain(symbols::doors(layout, sheet)).fold(layer("doors"), Group::add)
 }
 
 /// The thickness of the nearest wall between the opening's rooms, else of the thickest wall there is, metres.
@@ -108,16 +109,20 @@ fn opening(number_of: usize, opening: &Opening, cut: f64, sheet: &Sheet) -> Grou
         OpeningKind::Passage => "passage",
     };
     let [a, b] = opening.rooms;
-    let gap = line(&opening.segment, sheet).set("class", "gap").set("stroke-width", number(cut + CUT));
-    Group::new()
+    let group = Group::new()
         .set("id", format!("opening-{number_of}"))
         .set("class", kind)
         .set("data-rooms", format!("{a} {b}"))
         .set("data-width", number(opening.width()))
-        .add(title(&format!("{kind} between {a} and {b}, {:.2} m", opening.width())))
-        .add(gap)
-        .add(Path::new().set("class", "jamb").set("d", jambs(&opening.segment, cut, sheet)))
+        .add(title(&format!("{kind} between {a} and {b}, {:.2} m", opening.width())));
+    cut_out(group, &opening.segment, cut, sheet)
         .add(line(&opening.segment, sheet).set("class", format!("sill {kind}-sill")))
+}
+
+/// Adds the wall's gap, and a jamb at each of its ends. `cut` is the wall's thickness, metres.
+pub fn cut_out(group: Group, segment: &Segment, cut: f64, sheet: &Sheet) -> Group {
+    let gap = line(segment, sheet).set("class", "gap").set("stroke-width", number(cut.max(THINNEST) + CUT));
+    group.add(gap).add(Path::new().set("class", "jamb").set("d", jambs(segment, cut, sheet)))
 }
 
 /// Path data of a stroke across the wall at each end of the opening.
