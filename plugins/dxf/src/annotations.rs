@@ -1,7 +1,8 @@
-//! Doors, passages, frontiers, texts and symbols.
+//! Doors, passages, frontiers, texts, and symbols that are but named.
 
-use crate::entity::{Entity, Shape};
+use crate::entity::{Entity, Shape, Value};
 use crate::layer::Layer;
+use crate::symbols;
 use crate::text::one_line;
 use planform_sdk::{Frontier, FrontierKind, Opening, OpeningKind, Point, Pose, Symbol, Text};
 
@@ -40,23 +41,24 @@ pub fn frontier(frontier: &Frontier) -> Entity {
 
 /// A text of the document; nothing for a blank one.
 pub fn text(text: &Text) -> Option<Entity> {
-    note("text", &text.content, text.pose, [text.width, text.height], text.confidence)
-}
-
-/// The name of a symbol of the document.
-pub fn symbol(symbol: &Symbol) -> Option<Entity> {
-    note("symbol", &symbol.kind, symbol.pose, [symbol.width, symbol.height], symbol.score)
-}
-
-fn note(kind: &str, content: &str, pose: Pose, [width, height]: [f64; 2], confidence: f64) -> Option<Entity> {
-    let line = one_line(content).trim().to_owned();
     let data = vec![
-        ("kind", kind.into()),
-        ("content", line.as_str().into()),
-        ("width", width.into()),
-        ("height", height.into()),
-        ("confidence", confidence.into()),
+        ("kind", "text".into()),
+        ("content", one_line(&text.content).trim().into()),
+        ("width", text.width.into()),
+        ("height", text.height.into()),
+        ("confidence", text.confidence.into()),
     ];
+    note(&text.content, text.pose, text.height, data)
+}
+
+/// The name of a symbol of the document, for one that there is no drawing of.
+pub fn symbol(number: u32, symbol: &Symbol) -> Vec<Entity> {
+    let height = symbol.height.min(LETTER_HEIGHT);
+    note(&symbol.kind, symbol.pose, height, symbols::data(number, symbol)).into_iter().collect()
+}
+
+fn note(content: &str, pose: Pose, height: f64, data: Vec<(&'static str, Value)>) -> Option<Entity> {
+    let line = one_line(content).trim().to_owned();
     let letters = if height > 0.0 { height } else { LETTER_HEIGHT };
     let shape = Shape::Text {
         middle: Point::new(pose.x, pose.y),

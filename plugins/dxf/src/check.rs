@@ -27,7 +27,9 @@ pub fn check(layout: &Layout, boundary: Boundary) -> Checked {
         placed(&text.pose, &[text.width, text.height, text.confidence], || format!("text {}", i + 1))?;
     }
     for (i, symbol) in layout.symbols.iter().enumerate() {
-        placed(&symbol.pose, &[symbol.width, symbol.height, symbol.score], || format!("symbol {}", i + 1))?;
+        let whose = || format!("symbol {}", i + 1);
+        placed(&symbol.pose, &[symbol.width, symbol.height, symbol.score], whose)?;
+        symbol.leaves.iter().flat_map(|l| [l.hinge, l.closed, l.open]).try_for_each(|p| point(p, whose))?;
     }
     Ok(())
 }

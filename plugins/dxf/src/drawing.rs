@@ -1,8 +1,10 @@
 //! Everything that is drawn of a layout.
 
-use crate::entity::Entity;
-use crate::{annotations, rooms, walls};
+use crate::blocks::Block;
+use crate::entity::{Entity, Shape};
+use crate::{annotations, rooms, symbols, walls};
 use planform_sdk::{Boundary, Layout, Point, bounds};
+use std::collections::BTreeSet;
 
 /// The entities of a drawing and their bounds.
 pub struct Drawing {
@@ -20,7 +22,17 @@ impl Drawing {
         entities.extend(layout.openings.iter().map(annotations::opening));
         entities.extend(layout.frontiers.iter().map(annotations::frontier));
         entities.extend(layout.texts.iter().filter_map(annotations::text));
-        entities.extend(layout.symbols.iter().filter_map(annotations::symbol));
+        entities.extend(symbols::draw(layout));
         Self { bounds: bounds(entities.iter().flat_map(|e| e.shape.corners())), entities }
+    }
+
+    /// The blocks that are inserted somewhere, by their names.
+    pub fn blocks(&self) -> Vec<Block> {
+        let inserted = self.entities.iter().filter_map(|e| match &e.shape {
+            Shape::Insert { block, .. } => Some(*block),
+            _ => None,
+        });
+        let names: BTreeSet<&str> = inserted.collect();
+        names.into_iter().filter_map(|name| Block::of_kind(&name.to_lowercase())).collect()
     }
 }

@@ -3,7 +3,7 @@
 use crate::layer::Layer;
 use crate::pairs::{Handle, Pairs};
 use crate::text::{one_line, without_codes};
-use planform_sdk::{Point, RoomId, Segment};
+use planform_sdk::{DoorLeaf, Point, RoomId, Segment};
 
 /// The application under which extended data are registered.
 pub const APPLICATION: &str = "PLANFORM";
@@ -29,6 +29,16 @@ pub enum Shape {
     /// A closed polyline; the first point is not repeated.
     Ring(Vec<Point>),
     Line(Segment),
+    /// The way of a door's leaf: an arc about the hinge.
+    Swing(DoorLeaf),
+    /// A block, stretched to this width and height.
+    Insert {
+        block: &'static str,
+        middle: Point,
+        /// Radians, counter-clockwise from the x axis.
+        yaw: f64,
+        size: [f64; 2],
+    },
     /// One line of text, centred.
     Text {
         middle: Point,
@@ -71,6 +81,11 @@ impl Shape {
         match self {
             Self::Ring(points) => points.clone(),
             Self::Line(s) => vec![s.a, s.b],
+            Self::Swing(leaf) => (0..=8).map(|i| leaf.at(f64::from(i) / 8.0)).collect(),
+            Self::Insert { middle: m, size: [width, height], .. } => {
+                let reach = width.hypot(*height) / 2.0;
+                vec![Point::new(m.x - reach, m.y - reach), Point::new(m.x + reach, m.y + reach)]
+            }
             Self::Text { middle: m, height, content, .. } => {
                 let reach = height * LETTER_WIDTH * content.chars().count().max(1) as f64 / 2.0;
                 vec![Point::new(m.x - reach, m.y - reach), Point::new(m.x + reach, m.y + reach)]
@@ -88,6 +103,12 @@ impl Entity {
             }
             Shape::Ring(points) => self.write_heavy_ring(pairs, owner, points),
             Shape::Line(segment) => self.write_line(pairs, owner, segment),
+            Shape::Swing(leaf) => self.write_arc(pairs, owner, leaf),
+            Shape::Insert { block, middle, yaw, size } => {
+                self.begin(pairs, "INSERT", owner);
+                write_insert(pairs, block, *middle, *yaw, *size);
+                self.write_data(pairs);
+            }
             Shape::Text { middle, yaw, height, content } => {
                 self.begin(pairs, "TEXT", owner);
                 write_text(pairs, *middle, *yaw, *height, content);
@@ -135,7 +156,25 @@ impl Entity {
         self.write_data(pairs);
     }
 
+    /// Arcs run counter-clockwise.
+    fn write_arc(&self, pairs: &mut Pairs, owner: Handle, leaf: &DoorLeaf) {
+        self.begin(pairs, "ARC", owner);
+        pairs.subclass("AcDbCircle");
+        pairs.point_3d(10, leaf.hinge);
+        pairs.real(40, leaf.length());
+        pairs.subclass("AcDbArc");
+        let [closed, open] = [0.0, 1.0].map(|share| Segment::new(leaf.hinge, leaf.at(share)).angle());
+        let [from, to] = if leaf.swing() > 0.0 { [closed, open] } else { [open, closed] };
+        pairs.real(50, degrees(from));
+        pairs.real(51, degrees(to));
+        self.write_data(pairs);
+    }
+
+    /// Extended data; what stands in a block has none.
     fn write_data(&self, pairs: &mut Pairs) {
+        if self.data.is_empty() {
+            return;
+        }
         pairs.word(1001, APPLICATION);
         for (key, value) in &self.data {
             pairs.word(1000, key);
@@ -156,11 +195,26 @@ fn write_text(pairs: &mut Pairs, middle: Point, yaw: f64, height: f64, content: 
     pairs.real(40, height);
     let limit = pairs.version().text_limit();
     pairs.text(1, &without_codes(&one_line(content)), limit);
-    pairs.real(50, yaw.to_degrees().rem_euclid(360.0));
+    pairs.real(50, degrees(yaw));
     pairs.word(7, "Standard");
     // Centred in both directions about the second point.
     pairs.integer(72, 1);
     pairs.point_3d(11, middle);
     pairs.subclass("AcDbText");
     pairs.integer(73, 2);
+}
+
+fn write_insert(pairs: &mut Pairs, block: &str, middle: Point, yaw: f64, [width, height]: [f64; 2]) {
+    pairs.subclass("AcDbBlockReference");
+    pairs.word(2, block);
+    pairs.point_3d(10, middle);
+    pairs.real(41, width);
+    pairs.real(42, height);
+    pairs.real(43, 1.0);
+    pairs.real(50, degrees(yaw));
+}
+
+/// An angle in radians as the format has it.
+fn degrees(angle: f64) -> f64 {
+    angle.to_degrees().rem_euclid(360.0)
 }

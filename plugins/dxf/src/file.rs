@@ -20,7 +20,7 @@ pub fn file(drawing: &Drawing, version: Version) -> Vec<u8> {
 }
 
 fn write_body(pairs: &mut Pairs, drawing: &Drawing) {
-    let skeleton = Skeleton::new(pairs);
+    let skeleton = Skeleton::new(pairs, drawing.blocks());
     let modern = pairs.version().has_objects();
     if modern {
         classes(pairs);

@@ -6,10 +6,15 @@ pub enum Layer {
     Wall,
     WallCentre,
     Door,
+    Window,
+    Stairs,
+    Lift,
+    Fixture,
     Area,
     AreaLabel,
     Frontier,
     Annotation,
+    Symbol,
 }
 
 /// How a layer looks.
@@ -24,14 +29,19 @@ pub struct Style {
 
 impl Layer {
     /// All layers, in the order of the layer table.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 12] = [
         Self::Wall,
         Self::WallCentre,
         Self::Door,
+        Self::Window,
+        Self::Stairs,
+        Self::Lift,
+        Self::Fixture,
         Self::Area,
         Self::AreaLabel,
         Self::Frontier,
         Self::Annotation,
+        Self::Symbol,
     ];
 
     /// How the layer looks. Colour 7 is black on white and white on black.
@@ -40,10 +50,15 @@ impl Layer {
             Self::Wall => ("A-WALL", 7, "Continuous", 50),
             Self::WallCentre => ("A-WALL-CNTR", 8, "CENTER", 13),
             Self::Door => ("A-DOOR", 30, "Continuous", 25),
+            Self::Window => ("A-GLAZ", 150, "Continuous", 18),
+            Self::Stairs => ("A-FLOR-STRS", 8, "Continuous", 18),
+            Self::Lift => ("A-FLOR-EVTR", 8, "Continuous", 18),
+            Self::Fixture => ("A-FLOR-PFIX", 8, "Continuous", 18),
             Self::Area => ("A-AREA", 4, "Continuous", 18),
             Self::AreaLabel => ("A-AREA-IDEN", 7, "Continuous", 18),
             Self::Frontier => ("A-AREA-PRTL", 1, "DASHED", 25),
             Self::Annotation => ("A-ANNO-TEXT", 94, "Continuous", 18),
+            Self::Symbol => ("A-ANNO-SYMB", 94, "Continuous", 18),
         };
         Style { name, colour, linetype, lineweight }
     }

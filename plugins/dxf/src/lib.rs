@@ -13,13 +13,21 @@
 //! | --- | --- | --- |
 //! | `A-WALL` | the walls: both faces and the ends, openings cut out, corners mitred | closed polyline |
 //! | `A-WALL-CNTR` | the walls' centre lines, openings not cut out | line |
-//! | `A-DOOR` | doors and passages, from jamb to jamb | line |
+//! | `A-DOOR` | doors and passages, from jamb to jamb; leaves of doors, open, and their swing | line, arc |
+//! | `A-GLAZ` | windows: two thin lines in the wall, closed at their ends, and the jambs | closed polyline, line |
+//! | `A-FLOR-STRS` | stairs: the outline, and a line for each step | closed polyline, line |
+//! | `A-FLOR-EVTR` | lifts | block |
+//! | `A-FLOR-PFIX` | toilets, sinks | block |
 //! | `A-AREA` | the rooms: one outer ring and a ring for each hole | closed polyline |
 //! | `A-AREA-IDEN` | the rooms' names (`Room 3` if a room has none) and areas | text |
 //! | `A-AREA-PRTL` | frontiers: where a partial room meets the unexplored | line |
-//! | `A-ANNO-TEXT` | the document's texts and its symbols' names | text |
+//! | `A-ANNO-TEXT` | the document's texts, and the names of symbols that there is no drawing of | text |
+//! | `A-ANNO-SYMB` | the signs of evacuation plans | block |
 //!
-//! A door has no swing, because the layout does not know it. Representative lines are not drawn.
+//! Leaf and swing of a door are those that the document shows; a layout of a robot's map knows none. A door to the outside,
+//! which parts no two rooms, is cut out of its wall as well. Blocks are called after the kinds of symbols, such as
+//! `FIRE-EXTINGUISHER`; each is drawn in a box of side 1 and stretched to the symbol's size. Representative lines are not
+//! drawn.
 //!
 //! Closed polylines are `LWPOLYLINE`; in R12 `POLYLINE`. Coordinates are metres in the map frame, x right, y up.
 //!
@@ -30,7 +38,7 @@
 //!
 //! | key | on | value |
 //! | --- | --- | --- |
-//! | `kind` | everything | `room`, `label`, `wall`, `door`, `passage`, `frontier`, `text`, `symbol` |
+//! | `kind` | everything | `room`, `label`, `wall`, `door`, `passage`, `frontier`, `text`, `symbol`; of a symbol's parts `leaf`, `swing`, `jamb`, `step` |
 //! | `room` | rooms, labels, frontiers | the room's number |
 //! | `ring` | rooms | `outer` or `hole` |
 //! | `state` | rooms | `complete` or `partial` |
@@ -44,6 +52,7 @@
 //! | `left`, `right` | walls | the room on that side, seen from start to end; absent outside |
 //! | `from`, `to` | doors, passages | the rooms joined |
 //! | `width`, `height` | doors, passages, texts, symbols | metres |
+//! | `symbol` | symbols and their parts | the symbol's number, from 1 |
 //! | `content` | texts, symbols | what it says |
 //! | `confidence` | texts, symbols | 0 to 1 |
 //!
@@ -58,6 +67,7 @@
 //! them as they are. Texts too long for the format end in `...`.
 
 mod annotations;
+mod blocks;
 mod check;
 mod drawing;
 mod entity;
@@ -71,6 +81,7 @@ mod openings;
 mod pairs;
 mod pole;
 mod rooms;
+mod symbols;
 mod tables;
 mod text;
 mod version;

@@ -1,5 +1,6 @@
 //! The BLOCKS and OBJECTS sections: model and paper space, and the dictionaries that every drawing has.
 
+use crate::blocks::Block;
 use crate::header::extents;
 use crate::pairs::{Handle, Pairs};
 use planform_sdk::Point;
@@ -8,6 +9,8 @@ use planform_sdk::Point;
 pub struct Skeleton {
     pub model: Space,
     pub paper: Space,
+    /// The drawings of symbols, each with its block record.
+    pub symbols: Vec<(Block, Handle)>,
     pub text_style: Handle,
     pub plot_style: Handle,
     root: Handle,
@@ -27,7 +30,7 @@ pub struct Space {
 }
 
 impl Skeleton {
-    pub fn new(pairs: &mut Pairs) -> Self {
+    pub fn new(pairs: &mut Pairs, symbols: Vec<Block>) -> Self {
         let mut space = |block_name, layout_name| Space {
             block_name,
             layout_name,
@@ -37,6 +40,7 @@ impl Skeleton {
         Self {
             model: space("*Model_Space", "Model"),
             paper: space("*Paper_Space", "Layout1"),
+            symbols: symbols.into_iter().map(|block| (block, pairs.new_handle())).collect(),
             text_style: pairs.new_handle(),
             plot_style: pairs.new_handle(),
             root: pairs.new_handle(),
@@ -53,20 +57,25 @@ impl Skeleton {
 pub fn blocks(pairs: &mut Pairs, skeleton: &Skeleton) {
     pairs.section("BLOCKS", |p| {
         if p.version().has_objects() {
-            block(p, &skeleton.model);
-            block(p, &skeleton.paper);
+            for space in [&skeleton.model, &skeleton.paper] {
+                block(p, space.block_name, space.record, |_| ());
+            }
+        }
+        for (drawing, record) in &skeleton.symbols {
+            block(p, drawing.name, *record, |p| drawing.entities().for_each(|e| e.write(p, *record)));
         }
     });
 }
 
-fn block(p: &mut Pairs, space: &Space) {
-    block_part(p, "BLOCK", "AcDbBlockBegin", space.record);
-    p.word(2, space.block_name);
+fn block(p: &mut Pairs, name: &str, record: Handle, content: impl FnOnce(&mut Pairs)) {
+    block_part(p, "BLOCK", "AcDbBlockBegin", record);
+    p.word(2, name);
     p.integer(70, 0);
     p.point_3d(10, Point::default());
-    p.word(3, space.block_name);
+    p.word(3, name);
     p.word(1, "");
-    block_part(p, "ENDBLK", "AcDbBlockEnd", space.record);
+    content(p);
+    block_part(p, "ENDBLK", "AcDbBlockEnd", record);
 }
 
 fn block_part(p: &mut Pairs, kind: &str, class: &str, owner: Handle) {

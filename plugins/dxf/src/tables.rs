@@ -39,7 +39,9 @@ pub fn tables(pairs: &mut Pairs, skeleton: &Skeleton, bounds: Option<(Point, Poi
         });
         table(p, "DIMSTYLE", 1, |p, table| dimension_style(p, table, skeleton));
         if p.version().has_objects() {
-            table(p, "BLOCK_RECORD", 2, |p, table| block_records(p, table, skeleton));
+            table(p, "BLOCK_RECORD", 2 + skeleton.symbols.len(), |p, table| {
+                block_records(p, table, skeleton)
+            });
         }
     });
 }
@@ -177,6 +179,10 @@ fn block_records(p: &mut Pairs, table: Handle, skeleton: &Skeleton) {
     for block in [&skeleton.model, &skeleton.paper] {
         known_record(p, "BLOCK_RECORD", "AcDbBlockTableRecord", table, block.block_name, block.record);
         p.handle(340, block.layout);
+    }
+    for (block, record) in &skeleton.symbols {
+        known_record(p, "BLOCK_RECORD", "AcDbBlockTableRecord", table, block.name, *record);
+        p.handle(340, Handle::NONE);
     }
 }
 

@@ -9,7 +9,8 @@ use planform_sdk::{Layout, Point, Wall};
 /// All walls of the layout.
 pub fn draw(layout: &Layout) -> Vec<Entity> {
     let joints = Joints::new(&layout.walls);
-    let openings = Openings::new(&layout.openings);
+    let outer = layout.further_doors().map(|door| door.segment);
+    let openings = Openings::new(layout.openings.iter().map(|o| o.segment).chain(outer));
     let mut entities = vec![];
     for (i, wall) in layout.walls.iter().enumerate() {
         let data = data(i, wall);

@@ -75,6 +75,8 @@ def audit(path):
         "units": doc.units,
         "rooms": rooms(model),
         "texts": [plain_text(whole(t.dxf.text)) for t in model.query("TEXT")],
+        "inserts": sorted(e.dxf.name for e in model.query("INSERT")),
+        "arcs": [[*e.dxf.center.xyz[:2], e.dxf.radius, e.dxf.start_angle, e.dxf.end_angle] for e in model.query("ARC")],
         "layers": sorted({e.dxf.layer for e in model}),
         "known_layers": sum(layer.dxf.name.startswith("A-") for layer in doc.layers),
         "entities": len(model),

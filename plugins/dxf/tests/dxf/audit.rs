@@ -1,8 +1,8 @@
 //! Reads what is written with ezdxf, the strictest free reader, and has it audited.
 
-use crate::support::{HARD_NAMES, VERSIONS, flat, hard_names, row, write};
+use crate::support::{HARD_NAMES, VERSIONS, flat, hard_names, row, symbols, write};
 use planform_sdk::{Layout, Point};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::process::Command;
 
 const INSTALL: &str = "these tests need Python and ezdxf: run `python3 -m pip install ezdxf==1.4.5`";
@@ -59,15 +59,39 @@ fn a_flat_is_sound_in_every_version() {
     for boundary in ["inner", "centre"] {
         for report in sound(&flat(), &VERSIONS, boundary) {
             let layers: Vec<String> = serde_json::from_value(report["layers"].clone()).unwrap();
-            let all =
-                ["A-ANNO-TEXT", "A-AREA", "A-AREA-IDEN", "A-AREA-PRTL", "A-DOOR", "A-WALL", "A-WALL-CNTR"];
+            let all = [
+                "A-ANNO-SYMB",
+                "A-ANNO-TEXT",
+                "A-AREA",
+                "A-AREA-IDEN",
+                "A-AREA-PRTL",
+                "A-DOOR",
+                "A-WALL",
+                "A-WALL-CNTR",
+            ];
             assert_eq!(layers, all);
             let texts = texts(&report);
-            for text in ["Küche 🚪", "厨房", "غرفة", "Room 5", "Flat Nº 7 ≈ 90 m²", "fire-extinguisher"]
-            {
+            for text in ["Küche 🚪", "厨房", "غرفة", "Room 5", "Flat Nº 7 ≈ 90 m²"] {
                 assert!(texts.iter().any(|t| t == text), "{text}: {texts:?}");
             }
         }
+    }
+}
+
+#[test]
+fn symbols_of_every_kind_are_sound_in_every_version() {
+    let layout = symbols();
+    for report in sound(&layout, &VERSIONS, "inner") {
+        assert_eq!(report["inserts"], json!(["LIFT", "SINK", "TOILET", "TOILET", "YOU-ARE-HERE"]));
+        let arc = &report["arcs"][0];
+        let number = |i: usize| arc[i].as_f64().unwrap();
+        assert!((number(0) - 7.0).abs() < 1e-9 && number(1).abs() < 1e-9 && (number(2) - 0.9).abs() < 1e-9);
+        assert!(
+            (number(3) - 270.0).abs() < 1e-9 && number(4).abs() < 1e-9,
+            "open below, closed to the right"
+        );
+        assert_eq!(report["arcs"].as_array().unwrap().len(), 1);
+        assert_eq!(texts(&report), ["Room 1", "12.0 m2", "coffee-machine"]);
     }
 }
 
@@ -93,7 +117,7 @@ fn hard_names_come_back_whole() {
 fn an_empty_layout_is_an_empty_drawing() {
     for report in sound(&Layout::default(), &VERSIONS, "inner") {
         assert_eq!(report["entities"], 0);
-        assert_eq!(report["known_layers"], 7);
+        assert_eq!(report["known_layers"], 12);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Layouts to write, and the writing.
 
 use planform_sdk::{
-    Document, Frontier, FrontierKind, Layout, Opening, OpeningKind, Options, PluginError, Point, Polygon,
-    Pose, Room, RoomState, Segment, Symbol, Text, Wall,
+    Document, DoorLeaf, Frontier, FrontierKind, Layout, Opening, OpeningKind, Options, PluginError, Point,
+    Polygon, Pose, Room, RoomState, Segment, Symbol, Text, Wall,
 };
 
 pub const VERSIONS: [&str; 4] = ["R12", "R2000", "R2013", "R2018"];
@@ -127,6 +127,32 @@ pub fn flat() -> Layout {
             score: 0.7,
             leaves: vec![],
         }],
+        ..Layout::default()
+    }
+}
+
+/// A room with a symbol of every way to draw one; its door lies to the outside.
+pub fn symbols() -> Layout {
+    let place = |i: usize| Pose { x: 1.0 + i as f64, y: 1.0, yaw: 0.5 };
+    let symbol = |kind: &str, pose: Pose| Symbol {
+        kind: kind.into(),
+        pose,
+        width: 0.9,
+        height: 0.5,
+        score: 0.7,
+        leaves: vec![],
+    };
+    let kinds = ["lift", "toilet", "sink", "stairs", "toilet", "you-are-here", "coffee-machine"];
+    let mut symbols: Vec<Symbol> = kinds.iter().enumerate().map(|(i, k)| symbol(k, place(i))).collect();
+    let [hinge, closed, open] = [[7.0, 0.0], [7.9, 0.0], [7.0, -0.9]].map(Point::from);
+    let mut door = symbol("door", Pose { x: 7.45, y: 0.0, yaw: 0.0 });
+    door.leaves = vec![DoorLeaf { hinge, closed, open }];
+    symbols.extend([symbol("window", Pose { x: 2.0, y: 0.0, yaw: 0.0 }), door]);
+    let outline = rectangle(0.0, 0.0, 8.0, 1.5);
+    Layout {
+        rooms: vec![room(1, None, outline.clone(), outline)],
+        walls: vec![wall([0.0, 0.0], [8.0, 0.0], 1, 0)],
+        symbols,
         ..Layout::default()
     }
 }
