@@ -8,9 +8,12 @@ use planform_sdk::{
 };
 use serde_json::{Value, json};
 
+/// An arc has so many edges.
+const STEPS: u32 = 12;
+
 type Made = Result<Feature, PluginError>;
 
-/// All features: rooms, walls, openings, frontiers, lines (if asked for), texts, symbols.
+/// All features: rooms, walls, openings, frontiers, lines (if asked for), texts, symbols, leaves of doors.
 pub fn all(layout: &Layout, frame: &Frame, options: &Options) -> Result<Vec<Feature>, PluginError> {
     let boundary = Boundary::chosen(options);
     let lines = if options.flag("lines") { layout.lines.as_slice() } else { &[] };
@@ -20,8 +23,10 @@ pub fn all(layout: &Layout, frame: &Frame, options: &Options) -> Result<Vec<Feat
     let frontiers = numbered(&layout.frontiers).map(|(n, f)| frontier(n, f, frame));
     let lines = numbered(lines).map(|(n, l)| line(n, l, frame));
     let texts = numbered(&layout.texts).map(|(n, t)| text(n, t, frame));
-    let symbols = numbered(&layout.symbols).map(|(n, s)| symbol(n, s, frame));
-    rooms.chain(walls).chain(openings).chain(frontiers).chain(lines).chain(texts).chain(symbols).collect()
+    let symbols = numbered(&layout.symbols).map(|(n, s)| symbol(n, s, layout, frame));
+    let leaves = numbered(&layout.symbols).flat_map(|(n, s)| leaves(n, s, frame));
+    let drawn = rooms.chain(walls).chain(openings).chain(frontiers).chain(lines);
+    drawn.chain(texts).chain(symbols).chain(leaves).collect()
 }
 
 /// The items with their numbers, from 1.
@@ -83,16 +88,37 @@ fn text(number: usize, text: &Text, frame: &Frame) -> Made {
     at(format!("text-{number}"), &text.pose, properties, frame)
 }
 
-fn symbol(number: usize, symbol: &Symbol, frame: &Frame) -> Made {
-    let properties = json!({
+fn symbol(number: usize, symbol: &Symbol, layout: &Layout, frame: &Frame) -> Made {
+    let opening = layout.fitting(symbol).and_then(|f| f.opening).map(|i| format!("opening-{}", i + 1));
+    let mut properties = json!({
         "kind": "symbol", "symbol": symbol.kind, "yaw": measure(symbol.pose.yaw.to_degrees()),
         "width": measure(symbol.width), "height": measure(symbol.height), "score": measure(symbol.score),
     });
+    if symbol.is_door() {
+        properties["opening"] = json!(opening);
+    }
     at(format!("symbol-{number}"), &symbol.pose, properties, frame)
 }
 
+/// The leaves of a door, each as it is drawn: from the hinge to the free end, open, and on its way to where it closes.
+fn leaves(number: usize, symbol: &Symbol, frame: &Frame) -> impl Iterator<Item = Made> {
+    numbered(&symbol.leaves).map(move |(n, leaf)| {
+        let properties = json!({
+            "kind": "leaf", "symbol": format!("symbol-{number}"), "width": measure(leaf.length()),
+            "swing": measure(leaf.swing().to_degrees()),
+        });
+        let way = (0..=STEPS).rev().map(|i| leaf.at(f64::from(i) / f64::from(STEPS)));
+        let points: Vec<Point> = std::iter::once(leaf.hinge).chain(way).collect();
+        path(format!("leaf-{number}-{n}"), &points, properties, frame)
+    })
+}
+
 fn along(id: String, segment: &Segment, properties: Value, frame: &Frame) -> Made {
-    let positions = frame.project(&[segment.a, segment.b]).map_err(|e| inside(&id, e))?;
+    path(id, &[segment.a, segment.b], properties, frame)
+}
+
+fn path(id: String, points: &[Point], properties: Value, frame: &Frame) -> Made {
+    let positions = frame.project(points).map_err(|e| inside(&id, e))?;
     let positions = positions.into_iter().map(|p| frame.round(p));
     feature(id, GeometryValue::new_line_string(positions), properties)
 }

@@ -10,7 +10,8 @@
 //! | `frontier` | LineString | `room`, `leads` (`room`: to the rest of its room, `space`: to new space), `area` (behind it, m²; 0 is no estimate) |
 //! | `line` | LineString | `support` (m); only with the option `lines` |
 //! | `text` | Point | `text`, `yaw` (degrees), `width`, `height` (m), `confidence` |
-//! | `symbol` | Point | `symbol`, `yaw` (degrees), `width`, `height` (m), `score` |
+//! | `symbol` | Point | `symbol`, `yaw` (degrees), `width`, `height` (m), `score`; of doors `opening` (the id of the opening that it is; null for a door to the outside) |
+//! | `leaf` | LineString: from the hinge to the free end, open, and on its way to where it closes | `symbol` (the id of its door), `width` (m), `swing` (degrees from closed to open, counter-clockwise) |
 //!
 //! Every feature has an `id` such as `room-1`, unique in the file. `area`, `width` and the other measures are those of
 //! the layout in metres, whatever the coordinates are. `yaw` is always counter-clockwise from the map's x axis.

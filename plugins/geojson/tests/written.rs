@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used)]
 
 use geojson::{FeatureCollection, GeometryValue, feature::Id};
-use planform_sdk::{Document, GeoAnchor, Layout, Options, PluginError, Point, ring_signed_area};
+use planform_sdk::{
+    Document, DoorLeaf, GeoAnchor, Layout, Options, PluginError, Point, Pose, Symbol, ring_signed_area,
+};
 use std::collections::BTreeSet;
 
 fn flat() -> Layout {
@@ -68,6 +70,33 @@ fn everything_is_there_once() {
 #[test]
 fn lines_are_left_out_unless_asked_for() {
     assert_eq!(count(&read(&write(&flat(), &[]).unwrap()), "line"), 0);
+}
+
+#[test]
+fn doors_have_leaves_that_are_drawn_open_and_on_their_way() {
+    let mut layout = flat();
+    let door = layout.openings[0].segment;
+    let middle = door.midpoint();
+    let side = Point::new(door.a.x - (door.b.y - door.a.y), door.a.y + (door.b.x - door.a.x));
+    layout.symbols.push(Symbol {
+        kind: "door".into(),
+        pose: Pose { x: middle.x, y: middle.y, yaw: door.angle() },
+        width: door.length(),
+        height: 0.1,
+        score: 1.0,
+        leaves: vec![DoorLeaf { hinge: door.a, closed: door.b, open: side }],
+    });
+    let file = read(&write(&layout, &[]).unwrap());
+    let leaf = file.features.iter().find(|f| f.property("kind").unwrap() == "leaf").unwrap();
+    assert_eq!(leaf.property("symbol").unwrap(), "symbol-2");
+    assert_eq!(leaf.property("swing").unwrap(), 90.0);
+    let symbol = file.features.iter().find(|f| f.id == Some(Id::String("symbol-2".into()))).unwrap();
+    assert_eq!(symbol.property("opening").unwrap(), "opening-1");
+    let GeometryValue::LineString { coordinates } = &leaf.geometry.as_ref().unwrap().value else {
+        panic!("{leaf:?}")
+    };
+    let near = |i: usize, p: Point| Point::new(coordinates[i][0], coordinates[i][1]).distance(p) < 1e-3;
+    assert!(near(0, door.a) && near(1, side) && near(coordinates.len() - 1, door.b), "{coordinates:?}");
 }
 
 #[test]
