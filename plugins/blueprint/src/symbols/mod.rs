@@ -20,7 +20,8 @@ mod thin;
 mod windows;
 mod zncc;
 
-use crate::found::{SheetLeaf, SheetSymbol};
+use crate::doorways::{USUAL_WIDTH, Widths};
+use crate::found::SheetSymbol;
 use crate::mask::Mask;
 use crate::sheet::Sheet;
 use crate::stages::Stages;
@@ -38,21 +39,8 @@ pub struct Symbols {
     pub symbols: Vec<SheetSymbol>,
     /// The pixels that draw them, and nothing else.
     pub erase: Mask,
-    /// What the doors say of the scale.
-    pub leaves: Option<Leaves>,
 }
 
-/// How long the leaves of the sheet's doors are, for telling the scale.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leaves {
-    /// Their median length, pixels of the sheet; with a single leaf, what a door is wide from jamb to jamb.
-    pub length: f64,
-    /// How many there are.
-    pub count: usize,
-}
-
-/// A usual leaf, metres: what sizes are measured by where the scale is not known.
-const USUAL_LEAF: f64 = 0.9;
 /// Leaves of doors, metres.
 const LEAF: [f64; 2] = [0.55, 1.35];
 /// Leaves of doors, pixels of a plane, where the scale is not known.
@@ -75,15 +63,14 @@ pub fn find(
     stages: &mut dyn Stages,
 ) -> Symbols {
     let metres_per_pixel = metres_per_pixel.filter(|m| *m > 0.0 && m.is_finite());
-    let mut found = Symbols { symbols: Vec::new(), erase: Mask::empty(ink.width, ink.height), leaves: None };
+    let mut found = Symbols { symbols: Vec::new(), erase: Mask::empty(ink.width, ink.height) };
     signs(sheet, ink, library, &mut found);
     let rest = ink.clone().without(&found.erase);
     let view = best_view(&rest, metres_per_pixel);
     if let Some(view) = &view {
         found.symbols.extend(doors::doors(&view.plane, &rest, &view.swings, &mut found.erase));
-        found.leaves = leaves(&found.symbols);
     }
-    let told = found.leaves.filter(|l| l.count >= 2).map(|l| USUAL_LEAF / l.length);
+    let told = Widths::of_single(&found.symbols).filter(|w| w.count >= 2).map(|w| w.metres_per_pixel());
     if let (Some(view), Some(pixel)) = (&view, metres_per_pixel.or(told)) {
         drawn_to_scale(sheet, &rest, library, view, pixel, &mut found);
     }
@@ -171,7 +158,7 @@ fn best_view(ink: &Mask, metres_per_pixel: Option<f64>) -> Option<View> {
 fn resolutions(ink: &Mask, metres_per_pixel: Option<f64>) -> Vec<(u32, [f64; 2])> {
     let doubled = || (0..8).map(|k| 1u32 << k);
     if let Some(m) = metres_per_pixel {
-        let sharp = |f: &u32| USUAL_LEAF / m / f64::from(*f) >= SHARP;
+        let sharp = |f: &u32| USUAL_WIDTH / m / f64::from(*f) >= SHARP;
         let factor = doubled().filter(sharp).max().unwrap_or(1);
         return vec![(factor, LEAF.map(|l| l / m / f64::from(factor)))];
     }
@@ -181,12 +168,4 @@ fn resolutions(ink: &Mask, metres_per_pixel: Option<f64>) -> Vec<(u32, [f64; 2])
         most > 2.0 * shortest && least < longest
     };
     doubled().filter(useful).step_by(2).map(|f| (f, LEAF_PIXELS)).collect()
-}
-
-fn leaves(symbols: &[SheetSymbol]) -> Option<Leaves> {
-    let length = |l: &SheetLeaf| plane::distance(l.hinge, l.closed);
-    let mut lengths: Vec<f64> =
-        symbols.iter().filter(|s| s.kind == "door").flat_map(|s| &s.leaves).map(length).collect();
-    lengths.sort_by(f64::total_cmp);
-    lengths.get(lengths.len() / 2).map(|&length| Leaves { length, count: lengths.len() })
 }

@@ -84,7 +84,7 @@ pub fn find(
     stages: &mut dyn Stages,
 ) -> Walls {
     let given = metres_per_pixel.filter(|m| m.is_finite() && *m > 0.0);
-    let metres_per_pixel = given.unwrap_or_else(|| scale::guess(ink, read.symbols));
+    let metres_per_pixel = given.unwrap_or_else(|| scale::guess(ink));
     let mut drawing = Drawing::of_sheet(ink, metres_per_pixel);
     let stroke = stroke::usual(&drawing);
     let mut lines = straight::runs(&drawing.ink, drawing.width);

@@ -2,12 +2,8 @@
 
 use super::components::{self, Neighbours};
 use super::drawing::Drawing;
-use super::{openings, stroke};
-use crate::found::SheetSymbol;
+use super::stroke;
 use crate::mask::Mask;
-
-/// The width of a usual door, metres.
-const DOOR: f64 = 0.9;
 
 /// The radius of the largest disc in a usual room, metres.
 const ROOM: f64 = 1.6;
@@ -25,23 +21,12 @@ const COARSEST: f64 = 0.1;
 /// Metres per pixel where nothing tells.
 const UNKNOWN: f64 = 0.05;
 
-/// Metres per pixel, by the doors found, or else by the faces that ink encloses: half of the building's floor lies in
-/// rooms that are larger than usual.
-pub fn guess(ink: &Mask, symbols: &[SheetSymbol]) -> f64 {
-    let drawn = || {
-        let drawing = Drawing::of_sheet(ink, UNKNOWN);
-        let by_lines = LINE / stroke::usual(&drawing);
-        rooms(&drawing).map(|m| m.min(by_lines) / drawing.factor as f64)
-    };
-    doors(symbols).or_else(drawn).unwrap_or(UNKNOWN).clamp(FINEST, COARSEST)
-}
-
-/// By the median door that swings on one leaf.
-fn doors(symbols: &[SheetSymbol]) -> Option<f64> {
-    let is_usual = |s: &&SheetSymbol| openings::is_door(s) && s.leaves.len() == 1 && s.width > 0.0;
-    let mut widths: Vec<f64> = symbols.iter().filter(is_usual).map(|s| s.width).collect();
-    widths.sort_by(f64::total_cmp);
-    (widths.len() > 1).then(|| DOOR / widths[widths.len() / 2])
+/// Metres per pixel by the faces that ink encloses: half of the building's floor lies in rooms that are larger than usual.
+pub fn guess(ink: &Mask) -> f64 {
+    let drawing = Drawing::of_sheet(ink, UNKNOWN);
+    let by_lines = LINE / stroke::usual(&drawing);
+    let by_rooms = rooms(&drawing).map(|m| m.min(by_lines) / drawing.factor as f64);
+    by_rooms.unwrap_or(UNKNOWN).clamp(FINEST, COARSEST)
 }
 
 /// By the faces of a drawing that do not reach its edge; metres per pixel of it.
@@ -84,23 +69,8 @@ mod tests {
         for y in 5..=45 {
             (10..=90).filter(|x| x % 40 == 10 || y % 40 == 5).for_each(|x| ink.set[y * 100 + x] = true);
         }
-        assert!((guess(&ink, &[]) - 1.6 / 20.0).abs() < 1e-9);
-        assert_eq!(guess(&Mask::empty(5, 5), &[]), 0.05);
-        assert_eq!(guess(&Mask::empty(0, 0), &[]), 0.05);
-    }
-
-    #[test]
-    fn doors_tell_it_better() {
-        let leaf = crate::found::SheetLeaf { hinge: [0.0; 2], closed: [45.0, 0.0], open: [0.0, 45.0] };
-        let door = SheetSymbol {
-            kind: "door".to_owned(),
-            centre: [0.0; 2],
-            angle: 0.0,
-            width: 45.0,
-            height: 5.0,
-            score: 1.0,
-            leaves: vec![leaf],
-        };
-        assert!((guess(&Mask::empty(5, 5), &[door.clone(), door]) - 0.02).abs() < 1e-9);
+        assert!((guess(&ink) - 1.6 / 20.0).abs() < 1e-9);
+        assert_eq!(guess(&Mask::empty(5, 5)), 0.05);
+        assert_eq!(guess(&Mask::empty(0, 0)), 0.05);
     }
 }
