@@ -16,7 +16,7 @@ pub struct Page {
     pub origin: [f64; 2],
     /// Texts that the document holds as texts.
     pub texts: Vec<SheetText>,
-    /// Whether these texts are in the picture as well.
+    /// Whether the picture holds words: these texts as well, or others.
     pub drawn: bool,
     /// Symbols that the document holds as such (blocks of a CAD drawing).
     pub symbols: Vec<SheetSymbol>,

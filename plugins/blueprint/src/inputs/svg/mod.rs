@@ -1,9 +1,10 @@
 //! SVG drawings.
 //!
-//! Nothing outside of the document is loaded, neither files nor fonts: what a plan is read as depends on the plan alone,
-//! and its words are taken from the document as texts.
+//! Nothing outside of the document is loaded, neither files nor fonts: what a plan is read as depends on the plan alone.
+//! Its words are taken from the document as texts, and from the pictures that it holds.
 
 mod bombs;
+mod pictures;
 mod texts;
 mod unpack;
 
@@ -13,9 +14,10 @@ use super::limit::{MAX_PIXELS, largest_scale};
 use super::no_such_page;
 use crate::page::Page;
 use image::RgbImage;
+use pictures::Pictures;
 use planform_sdk::{ErrorKind, Place, PluginError};
 use resvg::tiny_skia::{Color, Pixmap, Transform};
-use resvg::usvg::{Error, ImageHrefResolver, Options, Tree};
+use resvg::usvg::{Error, Options, Tree};
 use roxmltree::{Document, ParsingOptions};
 
 /// The longer side of a drawing that does not say how large it is on paper, pixels.
@@ -39,7 +41,8 @@ fn read(bytes: &[u8], dpi: f64) -> Result<Page, PluginError> {
     let options = ParsingOptions { allow_dtd: true, nodes_limit: MAX_NODES, ..Default::default() };
     let document = Document::parse_with_options(&text, options).map_err(|e| broken(&e))?;
     bombs::check_document(&document)?;
-    let tree = Tree::from_xmltree(&document, &sealed()).map_err(cannot)?;
+    let pictures = Pictures::default();
+    let tree = Tree::from_xmltree(&document, &sealed(&pictures)).map_err(cannot)?;
     bombs::check_tree(&tree)?;
     let size = [f64::from(tree.size().width()), f64::from(tree.size().height())];
     let scale = Scale::of(size, texts::paper_size(&document), dpi);
@@ -50,18 +53,16 @@ fn read(bytes: &[u8], dpi: f64) -> Result<Page, PluginError> {
         metres_per_pixel: None,
         origin: [0.0; 2],
         texts: texts::texts(&document, to_page),
-        drawn: false,
+        drawn: pictures.are_drawn(),
         symbols: vec![],
         walls_only: false,
-        warnings: warnings(&document, &scale),
+        warnings: warnings(&pictures, &scale),
     })
 }
 
-/// Options by which no file, address or font is opened, and no picture decoded.
-fn sealed() -> Options<'static> {
-    let image_href_resolver =
-        ImageHrefResolver { resolve_data: Box::new(|_, _, _| None), resolve_string: Box::new(|_, _| None) };
-    Options { image_href_resolver, ..Options::default() }
+/// Options by which no file, address or font is opened.
+fn sealed(pictures: &Pictures) -> Options<'_> {
+    Options { image_href_resolver: pictures.resolver(), ..Options::default() }
 }
 
 /// How large the drawing becomes.
@@ -101,11 +102,12 @@ fn render(tree: &Tree, scale: &Scale) -> Result<RgbImage, PluginError> {
     RgbImage::from_raw(scale.width, scale.height, samples).ok_or_else(failed)
 }
 
-fn warnings(document: &Document<'_>, scale: &Scale) -> Vec<String> {
+fn warnings(pictures: &Pictures, scale: &Scale) -> Vec<String> {
     let mut warnings = vec![];
-    if document.descendants().any(|n| n.tag_name().name() == "image") {
+    if pictures.are_refused() {
         let advice = "export the plan as PDF or PNG if its walls are missing";
-        warnings.push(format!("pictures inside of an SVG are not drawn; {advice}"));
+        let drawn = "only those are that the file itself holds as PNG or JPEG";
+        warnings.push(format!("a picture of the SVG is not drawn: {drawn}; {advice}"));
     }
     if scale.shrunk {
         let limit = MAX_PIXELS / 1_000_000;

@@ -1,7 +1,8 @@
 use super::*;
 use flate2::{Compression, write::GzEncoder};
+use image::ImageFormat;
 use std::f64::consts::FRAC_PI_2;
-use std::io::Write;
+use std::io::{Cursor, Write};
 
 fn svg(attributes: &str, content: &str) -> Vec<u8> {
     let names = "xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink'";
@@ -81,10 +82,41 @@ fn a_gzip_bomb_is_refused() {
 #[test]
 fn nothing_outside_is_loaded() {
     let page = draw("viewBox='0 0 10 10'", "<image href='/etc/hostname' width='9' height='9'/>");
-    assert!(page.warnings[0].starts_with("pictures inside of an SVG are not drawn"));
+    assert!(page.warnings[0].starts_with("a picture of the SVG is not drawn") && !page.drawn);
     let entity =
         b"<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/hostname'>]><svg viewBox='0 0 1 1'>&x;</svg>";
     let _ = super::page(entity, &PageRequest::default());
+}
+
+/// An `image` element that holds a black picture of this size, of the format that it has.
+fn picture(width: u32, height: u32, format: ImageFormat) -> String {
+    let mut bytes = vec![];
+    RgbImage::new(width, height).write_to(&mut Cursor::new(&mut bytes), format).unwrap();
+    let hex: String = bytes.iter().map(|b| format!("%{b:02x}")).collect();
+    format!("<image x='2' y='2' width='4' height='4' href='data:image/png,{hex}'/>")
+}
+
+#[test]
+fn pictures_in_the_file_are_drawn() {
+    for format in [ImageFormat::Png, ImageFormat::Jpeg] {
+        let page = draw("viewBox='0 0 10 10'", &picture(8, 8, format));
+        let at = |x, y| page.picture.get_pixel(x, y).0[0];
+        assert!(at(1200, 1200) < 30 && at(300, 300) > 240 && at(2400, 1200) > 240, "{format:?}");
+        assert!(page.drawn && page.warnings.is_empty(), "{:?}", page.warnings);
+    }
+    let other = draw("viewBox='0 0 10 10'", &picture(8, 8, ImageFormat::Bmp));
+    assert!(!other.drawn && other.warnings.len() == 1);
+}
+
+#[test]
+fn pictures_take_no_more_room_than_a_page() {
+    // 25 million pixels, used five times.
+    let content = format!("<g id='g'>{}</g>", picture(5000, 5000, ImageFormat::Png));
+    let pictures = Pictures::default();
+    let text =
+        String::from_utf8(svg("viewBox='0 0 10 10'", &(content + &"<use xlink:href='#g'/>".repeat(4))));
+    Tree::from_str(&text.unwrap(), &sealed(&pictures)).unwrap();
+    assert!(pictures.are_drawn() && pictures.are_refused());
 }
 
 /// Ten groups, each of which uses the one before ten times.
