@@ -79,7 +79,7 @@ impl Paint {
         match self {
             Self::Hue(own) => own == colour,
             Self::DarkGreen => colour == Colour::Green,
-            Self::Black => matches!(colour, Colour::Red | Colour::Green),
+            Self::Black => colour != Colour::Blue,
         }
     }
 
@@ -98,14 +98,23 @@ struct Pattern<'a> {
 }
 
 fn patterns(library: &Library, paint: Paint) -> Vec<Pattern<'_>> {
-    library.templates.iter().filter(|t| paint.may_be(t.colour)).flat_map(patterns_of).collect()
+    // What has no colour but a size in the building is searched for by that size, elsewhere.
+    let is_sign = |t: &&Template| t.colour != Colour::Any || t.metres.is_none();
+    library
+        .templates
+        .iter()
+        .filter(is_sign)
+        .filter(|t| paint.may_be(t.colour))
+        .flat_map(patterns_of)
+        .collect()
 }
 
 fn patterns_of(template: &Template) -> Vec<Pattern<'_>> {
     let quarters = if template.turned == Turned::Upright { 1 } else { 4 };
     let mut patterns = Vec::new();
     for drawing in &template.drawings {
-        let sides = [Some(drawing.colour.clone()), template.mirrored.then(|| drawing.colour.mirrored())];
+        let look = if template.colour == Colour::Any { &drawing.ink } else { &drawing.colour };
+        let sides = [Some(look.clone()), template.mirrored.then(|| look.mirrored())];
         for side in sides.into_iter().flatten() {
             patterns.extend((0..quarters).map(|q| pattern(template, &side.turned(q), q)));
         }

@@ -48,6 +48,10 @@ impl Paper {
     }
 
     fn read_beside(self, aside: Mask, metres_per_pixel: Option<f64>) -> Symbols {
+        self.read_by(&Library::builtin().expect("it is sound"), aside, metres_per_pixel)
+    }
+
+    fn read_by(self, library: &Library, aside: Mask, metres_per_pixel: Option<f64>) -> Symbols {
         let Self(colour) = self;
         let ink = Mask {
             width: colour.width(),
@@ -57,8 +61,7 @@ impl Paper {
         let page_size = [colour.width(), colour.height()];
         let grey = GrayImage::from_pixel(colour.width(), colour.height(), image::Luma([255]));
         let sheet = Sheet { colour, grey, ink: ink.clone(), aside, turned: 0.0, page_size };
-        let library = Library::builtin().expect("it is sound");
-        find(&sheet, &ink, &library, metres_per_pixel, &mut Unwatched)
+        find(&sheet, &ink, library, metres_per_pixel, &mut Unwatched)
     }
 }
 
@@ -103,10 +106,14 @@ fn a_lift_and_stairs_are_found_by_their_lines() {
 }
 
 fn three_signs() -> Paper {
+    let files = ["first-aid.svg", "fire-extinguisher.svg", "emergency-exit-left.svg"];
+    signs(&files.map(|file| planform_templates::drawing(file).expect("built in")))
+}
+
+/// Signs in a row, 40 pixels large.
+fn signs(drawings: &[&str]) -> Paper {
     let mut paper = Paper::new(400, 200);
-    for (i, file) in ["first-aid.svg", "fire-extinguisher.svg", "emergency-exit-left.svg"].iter().enumerate()
-    {
-        let svg = planform_templates::drawing(file).expect("built in");
+    for (i, svg) in drawings.iter().enumerate() {
         let tree = resvg::usvg::Tree::from_str(svg, &resvg::usvg::Options::default()).expect("sound");
         let mut sign = resvg::tiny_skia::Pixmap::new(40, 40).expect("small");
         resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(0.4, 0.4), &mut sign.as_mut());
@@ -134,6 +141,30 @@ fn signs_are_told_apart() {
     let kinds: Vec<_> = found.iter().map(|s| s.kind.as_str()).collect();
     assert_eq!(kinds, ["first-aid", "fire-extinguisher", "emergency-exit"]);
     assert!(plane::distance(found[0].centre, [70.0, 80.0]) < 3.0);
+}
+
+/// A template of one's own, of this size on paper and of no colour.
+fn own_library(svg: &str) -> Library {
+    let folder = tempfile::tempdir().expect("a folder");
+    let table = "[[symbol]]\nkind='camera'\nfiles=['camera.svg']\naction='erase'\npaper_mm=[2.0,20.0]\n\
+                 turned='upright'\n";
+    std::fs::write(folder.path().join("symbols.toml"), table).expect("written");
+    std::fs::write(folder.path().join("camera.svg"), svg).expect("written");
+    Library::with_folder(folder.path()).expect("it is sound")
+}
+
+#[test]
+fn signs_of_ones_own_need_no_colour() {
+    let camera = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 100 100'><rect width='100' height='100'/>\
+                  <circle cx='35' cy='55' r='25' fill='#fff'/><path d='M60 20H90V50Z' fill='#fff'/></svg>";
+    let library = own_library(camera);
+    let found = signs(&[camera]).read_by(&library, Mask::empty(400, 200), None).symbols;
+    let [sign] = found.as_slice() else { panic!("{found:?}") };
+    assert_eq!(sign.kind, "camera");
+    assert!(plane::distance(sign.centre, [70.0, 80.0]) < 3.0, "{sign:?}");
+    let mut square = Paper::new(400, 200);
+    square.fill(50..90, 60..100, [0; 3]);
+    assert!(square.read_by(&library, Mask::empty(400, 200), None).symbols.is_empty());
 }
 
 #[test]
