@@ -58,6 +58,17 @@ impl Reading {
         }
     }
 
+    /// A box of the sheet as it is, but for its place, when the line reads to the right.
+    pub fn turned(self, b: Bounds) -> Bounds {
+        let of = |x0, y0, x1, y1| Bounds { x0, y0, x1, y1 };
+        match self {
+            Self::Right => b,
+            Self::Down => of(b.y0, -b.x1, b.y1, -b.x0),
+            Self::Left => of(-b.x1, -b.y1, -b.x0, -b.y0),
+            Self::Up => of(-b.y1, b.x0, -b.y0, b.x1),
+        }
+    }
+
     fn upright(self, picture: &GrayImage) -> GrayImage {
         match self {
             Self::Right => picture.clone(),

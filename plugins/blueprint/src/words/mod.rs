@@ -3,10 +3,12 @@
 //!
 //! Connected parts (`components`) that may be letters (`glyph`) are put into lines (`lines`, `extras`). Letters that touch
 //! walls are cut off them first (`cut`). Each line is cut out, turned and enlarged (`crop`), and read (`read`) by an
-//! [`OcrEngine`](engine::OcrEngine); what does not read like words (`plausible`) stays ink. Where nothing can be read, the
+//! [`OcrEngine`](engine::OcrEngine), the way round that words beside it read (`context`); what does not read like words
+//! (`plausible`) stays ink. Where nothing can be read, the
 //! shape of a line decides (`shape`).
 
 mod components;
+mod context;
 mod crop;
 mod cut;
 #[cfg(test)]

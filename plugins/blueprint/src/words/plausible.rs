@@ -21,6 +21,9 @@ const LETTERS: f64 = 0.55;
 /// One letter alone must be read with this confidence.
 const SINGLE: f64 = 0.8;
 
+/// What pieces of a frame around a text are read as.
+const FRAME: &str = "[]{}|_~\\";
+
 /// Marks that are written between letters and digits.
 const MARKS: &str = ".,'\"’”“‘-–/&()²³:+%=°#*½¼¾⅛";
 
@@ -71,8 +74,51 @@ fn is_stray(word: &OcrWord) -> bool {
     (marks_only && !word.text.chars().all(mark)) || word.confidence < LEAST / 2.0
 }
 
-/// The text with the raised 2 of "m²" put right, which is read as whatever looks like it.
+/// Puts the unit of an area right whose raised 2 was seen: after a number the last word, whatever it was read as.
+pub fn square(words: &mut [OcrWord]) {
+    let [.., number, unit] = words else { return };
+    let decimal = number.text.chars().all(|c| c.is_ascii_digit() || ".,".contains(c));
+    if decimal && number.text.contains(['.', ',']) && unit.text.chars().count() <= 3 {
+        unit.text = "m²".into();
+        unit.confidence = unit.confidence.max(number.confidence);
+    }
+}
+
+/// The text with the raised 2 of "m²" put right, which is read as whatever looks like it, without the marks that pieces
+/// of a frame are read as, and with the blanks that belong into a measure.
 pub fn mended(text: &str) -> String {
+    let text = text.trim_matches(|c: char| FRAME.contains(c)).trim();
+    // No word, but the last number of a scale bar.
+    if matches!(text, "Sm" | "sm") {
+        return "5 m".into();
+    }
+    spaced(&with_squares(text))
+}
+
+/// Measures with the blanks that are easily overlooked: "5 m", "13'6 x 11'".
+fn spaced(text: &str) -> String {
+    let word = |word: &str| match (parts_of_size(word), number_and_unit(word)) {
+        (Some((width, depth)), _) => format!("{width} x {depth}"),
+        (_, Some((number, unit))) => format!("{number} {unit}"),
+        _ => word.to_owned(),
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
+/// The sides of a size in feet.
+fn parts_of_size(word: &str) -> Option<(&str, &str)> {
+    let (width, depth) = word.split_once(['x', 'X', '×'])?;
+    let feet = |side: &str| side.starts_with(|c: char| c.is_ascii_digit()) && side.contains(['\'', '’', '°']);
+    (feet(width) && depth.starts_with(|c: char| c.is_ascii_digit())).then_some((width, depth))
+}
+
+fn number_and_unit(word: &str) -> Option<(&str, &str)> {
+    let at = word.find(|c: char| !c.is_ascii_digit() && c != '.' && c != ',').filter(|&i| i > 0)?;
+    let (number, unit) = word.split_at(at);
+    matches!(unit, "m" | "m²" | "m2" | "sqm" | "qm" | "cm" | "mm").then_some((number, unit))
+}
+
+fn with_squares(text: &str) -> String {
     let words = text.split(' ').collect::<Vec<_>>();
     let after_number = |i: usize| i > 0 && words[i - 1].ends_with(|c: char| c.is_ascii_digit());
     let mend = |(i, word): (usize, &&str)| match word.strip_suffix(RAISED).and_then(|w| w.strip_suffix('m')) {
@@ -157,8 +203,27 @@ mod tests {
     #[test]
     fn square_metres_are_mended() {
         assert_eq!(mended("49.2 m’ Corridor"), "49.2 m² Corridor");
-        assert_eq!(mended("Store 19,3m?"), "Store 19,3m²");
-        assert_eq!(mended("Am? 13m2 m"), "Am? 13m2 m");
+        assert_eq!(mended("Store 19,3m?"), "Store 19,3 m²");
+        assert_eq!(mended("Am? 13m2 m"), "Am? 13 m2 m");
+    }
+
+    #[test]
+    fn a_raised_2_is_that_of_an_area() {
+        let mut words = [word("49.2", 0.9), word("m*", 0.1)];
+        square(&mut words);
+        assert_eq!(joined(&parted(&words).0), "49.2 m²");
+        let mut words = [word("Office", 0.9), word("1*", 0.1)];
+        square(&mut words);
+        assert_eq!(joined(&words), "Office 1*");
+    }
+
+    #[test]
+    fn blanks_of_measures_are_put_in_and_frames_are_taken_off() {
+        assert_eq!(mended("15'4x8'5"), "15'4 x 8'5");
+        assert_eq!(mended("10m"), "10 m");
+        assert_eq!(mended("[303 |"), "303");
+        assert_eq!(mended("Sm"), "5 m");
+        assert_eq!(mended("4x"), "4x");
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Has engines read many lines, in several threads, the results in the lines' order.
 
+use super::context;
 use super::crop::{Reading, prepared};
 use super::engine::{OcrEngine, OcrEngines, OcrError, OcrWord};
 use super::lines::Axis;
@@ -10,11 +11,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A line read with this belief is not turned round to see whether it reads better so.
 const SURE: f64 = 0.8;
-/// By how much the unusual way round has to read better.
-const BETTER: f64 = 0.1;
-/// The same where there are few letters, which often look like others upside down.
-const BETTER_SHORT: f64 = 0.25;
-const SHORT: f64 = 3.0;
 /// An engine needs time to start: one for so many lines.
 const PER_ENGINE: usize = 8;
 /// The most engines at a time; each takes some 50 MB.
@@ -45,13 +41,14 @@ pub struct Answer {
     pub width: u32,
 }
 
-/// Reads all lines; `picture` cuts one out.
+/// Reads all lines, each one way round if that is surely right, otherwise both ways, the usual one first; `picture` cuts
+/// one out.
 pub fn read(
     jobs: &[Job],
     picture: &(dyn Fn(usize) -> GrayImage + Sync),
     engines: &dyn OcrEngines,
-) -> Result<Vec<Answer>, OcrError> {
-    let answers: Vec<Mutex<Option<Answer>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
+) -> Result<Vec<Vec<Answer>>, OcrError> {
+    let answers: Vec<Mutex<Option<Vec<Answer>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
     let next = AtomicUsize::new(0);
     let work = || -> Result<(), OcrError> {
         let mut engine = engines.open()?;
@@ -68,7 +65,7 @@ pub fn read(
         let failed = || OcrError::Failed("read a line");
         workers.into_iter().try_for_each(|w| w.join().unwrap_or_else(|_| Err(failed())))
     })?;
-    let answer = |a: Mutex<Option<Answer>>| a.into_inner().unwrap_or_else(|e| e.into_inner());
+    let answer = |a: Mutex<Option<Vec<Answer>>>| a.into_inner().unwrap_or_else(|e| e.into_inner());
     answers.into_iter().map(|a| answer(a).ok_or(OcrError::Failed("read a line"))).collect()
 }
 
@@ -78,15 +75,13 @@ fn workers(jobs: usize) -> usize {
 }
 
 /// Reads one line the usual way round, and if that is not surely right, the other way as well.
-fn read_line(job: &Job, picture: &GrayImage, engine: &mut dyn OcrEngine) -> Result<Answer, OcrError> {
+fn read_line(job: &Job, picture: &GrayImage, engine: &mut dyn OcrEngine) -> Result<Vec<Answer>, OcrError> {
     let [usual, other] = Reading::both(job.axis);
     let first = attempt(job, picture, usual, engine)?;
-    if first.belief >= SURE {
-        return Ok(first);
+    if first.belief >= SURE && !context::may_be_number(&first) {
+        return Ok(vec![first]);
     }
-    let second = attempt(job, picture, other, engine)?;
-    let better = if job.letters < SHORT { BETTER_SHORT } else { BETTER };
-    Ok(if second.belief > first.belief + better { second } else { first })
+    Ok(vec![first, attempt(job, picture, other, engine)?])
 }
 
 fn attempt(

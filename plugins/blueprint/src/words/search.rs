@@ -1,6 +1,7 @@
 //! The search for lines of text on one sheet.
 
 use super::components::{Bounds, Components, Run};
+use super::context::{self, Place, Sure};
 use super::crop::{self, Reading, Source};
 use super::cut::{self, Cut};
 use super::engine::{OcrEngines, OcrError, OcrWord};
@@ -27,6 +28,11 @@ const SAME_HEIGHT: f64 = 0.35;
 /// Strokes that bound a band are so near to what fills it, in heights of the line, and along so much of it.
 const BAND: f64 = 0.2;
 const BESIDE: f64 = 0.6;
+
+/// A raised 2 is at most so high, at least so wide and stands at least so high over the line's foot, in heights of it.
+const RAISED_HIGH: f64 = 0.8;
+const RAISED_WIDE: f64 = 0.2;
+const RAISED_BY: f64 = 0.25;
 
 /// Lines and the parts they are made of.
 pub struct Search {
@@ -135,13 +141,43 @@ impl Search {
             crop::alone(&source, line.bounds, &runs)
         };
         let answers = read::read(&jobs, &picture, engines)?;
-        let read = lines.into_iter().zip(answers).map(|((l, s), a)| Read::of(l, s, a));
-        Ok(self.found(self.judged(read.collect())))
+        Ok(self.found(self.judged(self.chosen(lines, answers))))
+    }
+
+    /// Each line the way round that it reads.
+    fn chosen(&self, lines: Vec<(FullLine, f64)>, answers: Vec<Vec<Answer>>) -> Vec<Read> {
+        let place = |l: &FullLine| Place { bounds: l.bounds, height: l.line.height };
+        let sure: Vec<Sure> =
+            lines.iter().zip(&answers).filter_map(|((l, _), a)| Sure::of(place(l), a)).collect();
+        let read = lines.into_iter().zip(answers).filter_map(|((line, likeness), answers)| {
+            let beside = context::beside(place(&line), &sure);
+            let answer = context::choose(answers, self.letters(&line.line), beside)?;
+            let raised = self.ends_raised(&line, answer.reading);
+            Some(Read { beside: beside == Some(answer.reading), ..Read::of(line, likeness, answer, raised) })
+        });
+        read.collect()
+    }
+
+    /// Whether the line's last sign is a small raised one, as that of "m²", and no foot mark.
+    fn ends_raised(&self, line: &FullLine, reading: Reading) -> bool {
+        let boxes: Vec<_> = line.parts.iter().map(|p| reading.turned(self.bounds(p))).collect();
+        let (Some(last), height) = (boxes.iter().max_by_key(|b| (b.x1, b.x0)), line.line.height) else {
+            return false;
+        };
+        let mut feet: Vec<_> = boxes.iter().map(|b| b.y1).collect();
+        feet.sort_unstable();
+        // Of most letters: a q reaches lower.
+        let foot = feet[feet.len() / 2];
+        let part = |pixels: i32| f64::from(pixels) / height;
+        part(last.height()) <= RAISED_HIGH
+            && part(last.width()) >= RAISED_WIDE
+            && part(foot - last.y1) >= RAISED_BY
     }
 
     /// Those that are text.
     fn judged(&self, read: Vec<Read>) -> Vec<Read> {
-        let cases: Vec<_> = read.iter().map(|r| self.case(r)).collect();
+        let mut cases: Vec<_> = read.iter().map(|r| self.case(r)).collect();
+        verdict::find_rows(&mut cases);
         let heights = verdict::heights(&cases);
         let text: Vec<_> = cases.iter().map(|c| verdict::is_text(c, &heights)).collect();
         read.into_iter().zip(text).filter_map(|(r, is_text)| is_text.then_some(r)).collect()
@@ -155,6 +191,9 @@ impl Search {
             height: read.line.line.height,
             cut: self.is_cut(&read.line.line),
             usual: matches!(read.answer.reading, Reading::Right | Reading::Up),
+            level: f64::from(read.line.bounds.y0 + read.line.bounds.y1) / 2.0,
+            beside: read.beside,
+            in_row: false,
         }
     }
 
@@ -226,12 +265,18 @@ struct Read {
     words: Vec<OcrWord>,
     /// What is no word.
     stray: Vec<OcrWord>,
+    /// Whether it belongs to a label of words that are sure.
+    beside: bool,
 }
 
 impl Read {
-    fn of(line: FullLine, likeness: f64, answer: Answer) -> Self {
+    fn of(line: FullLine, likeness: f64, mut answer: Answer, raised: bool) -> Self {
+        if raised {
+            plausible::square(&mut answer.words);
+        }
         let (words, stray) = plausible::parted(&answer.words);
-        Self { line, likeness, text: plausible::mended(&plausible::joined(&words)), words, stray, answer }
+        let text = plausible::mended(&plausible::joined(&words));
+        Self { line, likeness, text, words, stray, answer, beside: false }
     }
 
     fn weight(&self) -> f64 {

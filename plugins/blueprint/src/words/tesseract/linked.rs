@@ -36,7 +36,6 @@ impl Tesseract {
         let (width, height) = (side(line.width())?, side(line.height())?);
         self.0.set_page_seg_mode(match Segmentation::of(line) {
             Segmentation::Line => TessPageSegMode::PSM_SINGLE_LINE,
-            Segmentation::Word => TessPageSegMode::PSM_SINGLE_WORD,
             Segmentation::Letter => TessPageSegMode::PSM_SINGLE_CHAR,
         })?;
         self.0.set_image(line.as_raw(), width, height, 1, width)?;

@@ -43,8 +43,6 @@ impl TesseractEngines {
 enum Segmentation {
     /// One line.
     Line = 7,
-    /// One word.
-    Word = 8,
     /// One letter.
     Letter = 10,
 }
@@ -54,7 +52,6 @@ impl Segmentation {
     fn of(line: &GrayImage) -> Self {
         match f64::from(line.width()) / f64::from(line.height().max(1)) {
             ..1.05 => Self::Letter,
-            ..2.0 => Self::Word,
             _ => Self::Line,
         }
     }
