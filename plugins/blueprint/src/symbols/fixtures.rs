@@ -25,8 +25,10 @@ const LARGEST: f64 = 3.0;
 const ANGLES: u32 = 16;
 /// Each size is so many times the one before.
 const SIZE_STEP: f64 = 1.2;
-/// These are found by their geometry.
+/// These are found by their geometry,
 const ELSEWHERE: [&str; 2] = ["stairs", "lift"];
+/// and these as well, but a user's own drawings may differ from all that is usual.
+const USUAL: [&str; 2] = ["toilet", "sink"];
 
 /// A template in one size and direction.
 struct Look<'a> {
@@ -48,8 +50,11 @@ struct Place {
 
 /// All such symbols, and what draws them. `pixel` is metres per pixel of the ink.
 pub fn find(ink: &Mask, library: &Library, pixel: f64, erase: &mut Mask) -> Vec<SheetSymbol> {
-    let coarse = picture(ink, COARSE / pixel).blurred();
     let looks = looks(library);
+    if looks.is_empty() {
+        return Vec::new();
+    }
+    let coarse = picture(ink, COARSE / pixel).blurred();
     let places = places(&coarse, &looks);
     let fine = picture(ink, FINE / pixel).blurred();
     let mut found: Vec<SheetSymbol> =
@@ -84,7 +89,8 @@ fn picture(ink: &Mask, factor: f64) -> Soft {
 
 fn looks(library: &Library) -> Vec<Look<'_>> {
     let wanted = |t: &&Template| {
-        matches!(t.action, Action::Erase | Action::Keep) && !ELSEWHERE.contains(&t.kind.as_str())
+        let elsewhere = ELSEWHERE.contains(&&*t.kind) || !t.own && USUAL.contains(&&*t.kind);
+        matches!(t.action, Action::Erase | Action::Keep) && !elsewhere
     };
     library.templates.iter().filter(wanted).flat_map(looks_of).collect()
 }

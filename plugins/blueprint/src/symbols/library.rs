@@ -71,6 +71,8 @@ pub struct Template {
     pub colour: Colour,
     /// The ways to draw it.
     pub drawings: Vec<Drawing>,
+    /// Whether a user drew it, and not we.
+    pub own: bool,
 }
 
 /// All templates that a sheet is searched for.
@@ -125,7 +127,8 @@ impl Library {
         let mut library = Self::builtin()?;
         let table = read_file(&folder.join(TABLE), LARGEST_TABLE)?;
         let table = String::from_utf8(table).map_err(|_| bad(format!("`{TABLE}` is not text")))?;
-        library.templates.extend(templates(&table, &|file| own_drawing(folder, file))?);
+        let own = templates(&table, &|file| own_drawing(folder, file))?;
+        library.templates.extend(own.into_iter().map(|t| Template { own: true, ..t }));
         let drawings: usize = library.templates.iter().map(|t| t.drawings.len()).sum();
         if drawings > MOST_DRAWINGS {
             let message =
@@ -159,7 +162,7 @@ fn template(entry: Entry, read: ReadDrawing) -> Result<Template, PluginError> {
     };
     let drawings = entry.files.iter().map(load).collect::<Result<_, _>>()?;
     let Entry { kind, action, metres, turned, mirrored, colour, .. } = entry;
-    Ok(Template { kind, action, metres, turned, mirrored, colour, drawings })
+    Ok(Template { kind, action, metres, turned, mirrored, colour, drawings, own: false })
 }
 
 fn check(entry: &Entry) -> Result<(), PluginError> {

@@ -1,16 +1,20 @@
 //! Symbols: found, told what they mean, and taken off the drawing.
 
 mod blobs;
+mod bowls;
 mod doors;
 mod drawing;
 mod fixtures;
 pub mod library;
 mod lifts;
+mod panes;
 mod picture;
 mod plane;
+mod regions;
 mod runs;
 mod shapes;
 mod signs;
+mod sliding;
 mod soft;
 mod stairs;
 mod strokes;
@@ -79,7 +83,7 @@ pub fn find(
 }
 
 fn signs(sheet: &Sheet, ink: &Mask, library: &Library, found: &mut Symbols) {
-    for symbol in signs::find(sheet, library) {
+    for symbol in signs::alike(signs::find(sheet, library)) {
         if is_aside(sheet, &symbol) {
             continue;
         }
@@ -109,19 +113,45 @@ fn drawn_to_scale(
     let own = pixel * f64::from(view.plane.factor);
     let (plane, segments) = (&view.plane, &view.segments);
     let stairs = stairs::find(plane, ink, segments, own, &mut found.erase);
-    let lifts = lifts::find(plane, ink, segments, own, &mut found.erase);
+    let mut lifts = lifts::find(plane, ink, segments, own, &mut found.erase);
     let windows = windows::find(sheet, plane, &view.parts, own);
+    let close = Close::new(ink, pixel);
+    lifts.extend(lifts::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase));
+    let sliding = sliding::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase);
+    let panes = panes::find(sheet, ink, pixel);
+    let bowls = bowls::find(&sheet.ink, pixel, &mut found.erase);
     let rest = ink.clone().without(&found.erase);
     let fixtures = fixtures::find(&rest, library, pixel, &mut found.erase);
     // What looks like a door inside a lift or a flight of steps is a part of it.
     let within = |d: &SheetSymbol| stairs.iter().chain(&lifts).any(|s| Box2::of(s).contains(d.centre));
     found.symbols.retain(|s| s.leaves.is_empty() || !within(s));
-    for symbol in [stairs, lifts, fixtures, windows].into_iter().flatten() {
+    for symbol in [stairs, lifts, bowls, fixtures, sliding, windows, panes].into_iter().flatten() {
         let inside =
             |s: &SheetSymbol| Box2::of(s).contains(symbol.centre) || Box2::of(&symbol).contains(s.centre);
         if !found.symbols.iter().any(inside) {
             found.symbols.push(symbol);
         }
+    }
+}
+
+/// The straight strokes of the sheet, seen more closely: lines that run side by side stay apart.
+struct Close {
+    plane: Plane,
+    segments: Vec<Segment>,
+    /// Metres per pixel of the plane.
+    pixel: f64,
+}
+
+/// Metres per pixel at most.
+const CLOSE: f64 = 0.018;
+
+impl Close {
+    fn new(ink: &Mask, pixel: f64) -> Self {
+        let factor = ((CLOSE / pixel).floor() as u32).max(1);
+        let plane = Plane::new(ink, factor);
+        let parts = strokes::parts(&thin::chains(&plane.mask, WIDEST_STROKE));
+        let segments = strokes::segments(&parts, 5.0);
+        Self { plane, segments, pixel: pixel * f64::from(factor) }
     }
 }
 

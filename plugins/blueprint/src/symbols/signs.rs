@@ -43,6 +43,54 @@ pub fn find(sheet: &Sheet, library: &Library) -> Vec<SheetSymbol> {
     without_overlaps(found)
 }
 
+/// Signs of one plan are about as large as each other: without what is much smaller than most, and without the rows that
+/// only explain them.
+pub fn alike(mut signs: Vec<SheetSymbol>) -> Vec<SheetSymbol> {
+    let side = |s: &SheetSymbol| s.width.min(s.height);
+    let mut sides: Vec<f64> = signs.iter().filter(|s| s.kind != HERE).map(side).collect();
+    sides.sort_by(f64::total_cmp);
+    if sides.len() >= 3 {
+        let usual = sides[sides.len() / 2];
+        signs.retain(|s| side(s) >= SMALLEST * usual);
+    }
+    let explained: Vec<bool> = (0..signs.len()).map(|i| is_explained(&signs, i)).collect();
+    let mut explained = explained.into_iter();
+    signs.retain(|_| explained.next() != Some(true));
+    signs
+}
+
+/// A sign is at least this share of the usual side.
+const SMALLEST: f64 = 0.45;
+/// The kind of sign that may be confused with letters' bowls and dots.
+const HERE: &str = "you-are-here";
+/// So many different signs, one below the other at even distances, are a legend.
+const LEGEND: usize = 4;
+
+/// Whether a sign is one of a column of different signs, all as far apart as the first two.
+fn is_explained(signs: &[SheetSymbol], own: usize) -> bool {
+    let left = |s: &SheetSymbol| s.centre[0] - s.width / 2.0;
+    let side = signs[own].width.min(signs[own].height);
+    let mut column: Vec<&SheetSymbol> =
+        signs.iter().filter(|s| (left(s) - left(&signs[own])).abs() < 0.2 * side).collect();
+    column.sort_by(|a, b| a.centre[1].total_cmp(&b.centre[1]));
+    (0..column.len()).any(|from| {
+        let run = even(&column[from..]);
+        let different = (0..run.len()).all(|i| run[..i].iter().all(|s| s.kind != run[i].kind));
+        run.len() >= LEGEND && different && run.iter().any(|s| s.centre == signs[own].centre)
+    })
+}
+
+/// The signs from the first one on that follow each other closely and evenly.
+fn even<'a, 'b>(column: &'b [&'a SheetSymbol]) -> &'b [&'a SheetSymbol] {
+    let gap = |i: usize| column[i + 1].centre[1] - column[i].centre[1];
+    let close = |i: usize| {
+        let side = column[i].height.max(column[i + 1].height);
+        (0.9..2.5).contains(&(gap(i) / side)) && (gap(i) / gap(0) - 1.0).abs() < 0.15
+    };
+    let count = (0..column.len().saturating_sub(1)).take_while(|&i| close(i)).count();
+    &column[..(count + 1).min(column.len())]
+}
+
 /// What makes an area a candidate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Paint {
@@ -284,4 +332,40 @@ fn overlap(a: &SheetSymbol, b: &SheetSymbol) -> bool {
         (a.centre[i] - b.centre[i]).abs() < 0.7 * reach
     };
     near(0) && near(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sign(kind: &str, x: f64, y: f64, side: f64) -> SheetSymbol {
+        let (kind, leaves) = (kind.into(), Vec::new());
+        SheetSymbol { kind, centre: [x, y], angle: 0.0, width: side, height: side, score: 0.9, leaves }
+    }
+
+    fn four(step: f64) -> Vec<SheetSymbol> {
+        let kinds = ["first-aid", "fire-extinguisher", "fire-hose-reel", "emergency-exit"];
+        (0..4).map(|i| sign(kinds[i], 100.0, 50.0 + step * i as f64, 30.0)).collect()
+    }
+
+    #[test]
+    fn the_dot_of_a_letter_is_no_sign() {
+        let mut signs = four(300.0);
+        signs.push(sign(HERE, 400.0, 80.0, 9.0));
+        signs.push(sign(HERE, 500.0, 80.0, 25.0));
+        let kept = alike(signs);
+        assert_eq!(kept.len(), 5);
+        assert!(kept.iter().all(|s| s.width > 20.0));
+    }
+
+    #[test]
+    fn an_even_column_of_different_signs_is_a_legend() {
+        let mut signs = four(40.0);
+        signs.push(sign("first-aid", 400.0, 80.0, 28.0));
+        let kept = alike(signs);
+        assert_eq!(kept.len(), 1);
+        assert_eq!(kept[0].centre, [400.0, 80.0]);
+        let same = (0..4).map(|i| sign("first-aid", 100.0, 50.0 + 40.0 * f64::from(i), 30.0)).collect();
+        assert_eq!(alike(same).len(), 4);
+    }
 }
