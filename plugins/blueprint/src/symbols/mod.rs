@@ -118,7 +118,13 @@ fn drawn_to_scale(
     let close = Close::new(ink, pixel);
     lifts.extend(lifts::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase));
     let sliding = sliding::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase);
-    let panes = panes::find(sheet, ink, pixel);
+    let mut panes = panes::find(sheet, ink, pixel);
+    // The box of an open leaf, a lift's double outline and the space between two steps are no windows.
+    let around = |s: &SheetSymbol| Box2::of(s).grown([0.2 / pixel; 2]);
+    panes.retain(|w| {
+        !stairs.iter().chain(&lifts).any(|s| around(s).contains(w.centre))
+            && !found.symbols.iter().flat_map(|d| &d.leaves).any(|l| is_on_leaf(w, l))
+    });
     let bowls = bowls::find(&sheet.ink, pixel, &mut found.erase);
     let rest = ink.clone().without(&found.erase);
     let fixtures = fixtures::find(&rest, library, pixel, &mut found.erase);
@@ -132,6 +138,14 @@ fn drawn_to_scale(
             found.symbols.push(symbol);
         }
     }
+}
+
+/// Whether a symbol's middle lies on the open leaf of a door.
+fn is_on_leaf(symbol: &SheetSymbol, leaf: &SheetLeaf) -> bool {
+    let (along, length) = plane::direction(leaf.hinge, leaf.open);
+    let d = [symbol.centre[0] - leaf.hinge[0], symbol.centre[1] - leaf.hinge[1]];
+    let (ahead, aside) = (plane::dot(d, along), plane::dot(d, [-along[1], along[0]]).abs());
+    aside < 0.15 * length && (0.2..0.9).contains(&(ahead / length))
 }
 
 /// The straight strokes of the sheet, seen more closely: lines that run side by side stay apart.
