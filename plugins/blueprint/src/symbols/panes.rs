@@ -10,6 +10,8 @@ use crate::sheet::Sheet;
 
 /// Metres per pixel of the plane at most.
 const FINE: f64 = 0.018;
+/// Where pixels are larger than this, metres, the faces of a wall are too close to tell its inside from panes.
+const COARSEST: f64 = 0.03;
 /// Length of a window, metres.
 const LENGTH: [f64; 2] = [0.4, 4.5];
 /// From its first line to its last.
@@ -25,6 +27,9 @@ const LIGHTER: f64 = 12.0;
 
 /// All windows of the ink; `pixel` is metres per pixel of the sheet.
 pub fn find(sheet: &Sheet, ink: &Mask, pixel: f64) -> Vec<SheetSymbol> {
+    if pixel > COARSEST {
+        return Vec::new();
+    }
     let factor = ((FINE / pixel).floor() as u32).max(1);
     let plane = Plane::new(ink, factor);
     let own = pixel * f64::from(factor);
