@@ -25,7 +25,7 @@ mod windows;
 mod zncc;
 
 use crate::doorways::{USUAL_WIDTH, Widths};
-use crate::found::SheetSymbol;
+use crate::found::{SheetLeaf, SheetSymbol};
 use crate::mask::Mask;
 use crate::sheet::Sheet;
 use crate::stages::Stages;

@@ -1,6 +1,6 @@
 //! Gaps in line: where a line of ink stops and goes on, or meets a wall, within a door's width.
 
-use super::straight;
+use super::straight::{self, Straight};
 use super::tracks::Track;
 
 /// What a bridge may be, pixels.
@@ -13,7 +13,7 @@ pub struct Span {
 }
 
 /// The pixels of gaps that a line of ink points across, at a wall or at another line.
-pub fn find(ink: &[bool], wall: &[bool], lines: &[u16], width: usize, span: Span) -> Vec<bool> {
+pub fn find(ink: &[bool], wall: &[bool], lines: &Straight, width: usize, span: Span) -> Vec<bool> {
     let solid: Vec<bool> = ink.iter().zip(wall).map(|(i, w)| i | w).collect();
     let nothing = || vec![false; ink.len()];
     let view = View { ink, solid: &solid, wall, lines, span };
@@ -30,8 +30,7 @@ struct View<'a> {
     /// Ink and walls.
     solid: &'a [bool],
     wall: &'a [bool],
-    /// The longest run through every pixel.
-    lines: &'a [u16],
+    lines: &'a Straight,
     span: Span,
 }
 
@@ -52,7 +51,7 @@ impl View<'_> {
     }
 
     fn longest(&self, track: &Track, step: usize) -> f64 {
-        track.pixels(step).map(|p| f64::from(self.lines[p])).fold(0.0, f64::max)
+        track.pixels(step).map(|p| f64::from(self.lines.length[p])).fold(0.0, f64::max)
     }
 
     fn bridge(&self, track: &Track, ahead: impl Iterator<Item = usize> + Clone, out: &mut [bool]) {

@@ -3,6 +3,7 @@
 use super::components::{self, Neighbours};
 use super::distance;
 use super::drawing::Drawing;
+use super::straight::Straight;
 use std::collections::BTreeMap;
 
 /// Faces hang together only where they are wider than twice this, metres: lines have small gaps.
@@ -83,18 +84,18 @@ impl Faces {
         }
     }
 
-    /// The boundaries of all pairs of faces that meet on a line or a bridge. `lines`: the longest run through every pixel.
+    /// The boundaries of all pairs of faces that meet on a line or a bridge.
     pub fn boundaries(
         &self,
         drawing: &Drawing,
-        lines: &[u16],
+        lines: &Straight,
         doors: &[bool],
     ) -> BTreeMap<(u32, u32), Boundary> {
         let mut out: BTreeMap<(u32, u32), Boundary> = BTreeMap::new();
         let pixel = 1.0 / drawing.metre;
         self.contacts(drawing, |at, beside| {
             let (a, b) = (self.label[at], self.label[beside]);
-            let line = f64::from(lines[at].max(lines[beside])) * pixel;
+            let line = f64::from(lines.length[at].max(lines.length[beside])) * pixel;
             let run = if doors[at] || doors[beside] { line.max(DOOR_LINE) } else { line };
             let boundary = out.entry((a.min(b), a.max(b))).or_default();
             boundary.length += pixel;

@@ -3,12 +3,19 @@
 use super::tracks::{TURNS, Track};
 use std::thread;
 
-/// The length of the longest straight run of ink through every pixel, pixels; 0 on paper. A run may be a pixel aside, for
-/// a slanting line is stairs of pixels.
-pub fn runs(ink: &[bool], width: usize) -> Vec<u16> {
-    let nothing = || vec![0; ink.len()];
+/// The longest straight run through every pixel.
+pub struct Straight {
+    /// Its length, pixels; 0 on paper.
+    pub length: Vec<u16>,
+    /// Its direction, in parts of half a turn of which there are [`TURNS`].
+    pub turn: Vec<u8>,
+}
+
+/// Measures the runs of ink. A run may be a pixel aside, for a slanting line is stairs of pixels.
+pub fn runs(ink: &[bool], width: usize) -> Straight {
+    let nothing = || Straight { length: vec![0; ink.len()], turn: vec![0; ink.len()] };
     let parts = in_all_directions(ink.len(), width, nothing, |track, longest| along(ink, track, longest));
-    parts.into_iter().reduce(longer).unwrap_or_else(nothing)
+    parts.into_iter().reduce(Straight::longer).unwrap_or_else(nothing)
 }
 
 /// Walks all tracks, the directions shared among the cores, each core with a state of its own.
@@ -34,18 +41,30 @@ pub fn in_all_directions<T: Send>(
     })
 }
 
-fn along(ink: &[bool], track: &Track, longest: &mut [u16]) {
+fn along(ink: &[bool], track: &Track, longest: &mut Straight) {
     track.stretches(ink, |from, to| {
         let length = (track.length(to - from)).min(f64::from(u16::MAX)) as u16;
         for p in (from..to).flat_map(|i| track.pixels(i)).filter(|&p| ink[p]) {
-            longest[p] = longest[p].max(length);
+            if length > longest.length[p] {
+                longest.length[p] = length;
+                longest.turn[p] = track.turn as u8;
+            }
         }
     });
 }
 
-fn longer(mut a: Vec<u16>, b: Vec<u16>) -> Vec<u16> {
-    a.iter_mut().zip(b).for_each(|(a, b)| *a = b.max(*a));
-    a
+impl Straight {
+    /// Of equally long runs the one of the lesser turn, whichever core found it.
+    fn longer(mut self, other: Self) -> Self {
+        for i in 0..self.length.len() {
+            let (a, b) = (self.length[i], other.length[i]);
+            if b > a || (b == a && other.turn[i] < self.turn[i]) {
+                self.length[i] = b;
+                self.turn[i] = other.turn[i];
+            }
+        }
+        self
+    }
 }
 
 #[cfg(test)]
@@ -60,8 +79,10 @@ mod tests {
             .map(|(x, y)| (y == 20 && (5..35).contains(&x)) || (x == 5 && (8..20).contains(&y)))
             .collect();
         let found = runs(&ink, width);
-        assert_eq!(found[20 * width + 20], 30);
-        assert_eq!(found[10 * width + 5], 13);
-        assert_eq!(found[0], 0);
+        assert_eq!(found.length[20 * width + 20], 30);
+        assert_eq!(found.turn[20 * width + 20], 0);
+        assert_eq!(found.length[10 * width + 5], 13);
+        assert_eq!(usize::from(found.turn[10 * width + 5]), TURNS / 2);
+        assert_eq!(found.length[0], 0);
     }
 }

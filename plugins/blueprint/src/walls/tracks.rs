@@ -7,6 +7,8 @@ pub const TURNS: usize = 24;
 
 /// One digital line, two pixels wide, so that no line of ink slips through between its pixels.
 pub struct Track<'a> {
+    /// Its direction, in parts of half a turn of which there are [`TURNS`].
+    pub turn: usize,
     /// How many steps it has.
     pub steps: usize,
     /// The length of one step, pixels.
@@ -19,7 +21,7 @@ pub struct Track<'a> {
 }
 
 impl Track<'_> {
-    /// Visits all tracks of one direction, given in parts of half a turn of which there are [`TURNS`].
+    /// Visits all tracks of one direction.
     pub fn all(turn: usize, [width, height]: [usize; 2], mut visit: impl FnMut(&Track)) {
         let (sin, cos) = (turn as f64 * PI / TURNS as f64).sin_cos();
         let flat = cos.abs() >= sin.abs();
@@ -29,7 +31,7 @@ impl Track<'_> {
         let last = rise.last().copied().unwrap_or(0);
         for offset in -last.max(0) - 1..across - last.min(0) {
             let stretch = 1.0f64.hypot(slope);
-            visit(&Track { steps, stretch, rise: &rise, offset, flat, width, across });
+            visit(&Track { turn, steps, stretch, rise: &rise, offset, flat, width, across });
         }
     }
 
