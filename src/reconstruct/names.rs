@@ -76,7 +76,7 @@ impl Block {
         for text in in_reading_order(texts) {
             let parted = measures::part(&text.content);
             block.area = block.area.or(parted.area);
-            if !parted.words.is_empty() {
+            if !parted.words.is_empty() && continues(&block.name, &parted.words) {
                 let blank = if block.name.is_empty() { "" } else { " " };
                 block.name = [block.name.as_str(), blank, parted.words.as_str()].concat();
                 block.height = block.height.max(text.height);
@@ -91,6 +91,18 @@ impl Block {
         let key = |b: &Self| (b.name.is_empty(), -step(b), !b.name.contains(char::is_alphabetic));
         key(self).cmp(&key(other)).then(self.distance.total_cmp(&other.distance))
     }
+}
+
+/// Whether words go on with a name. Numbers do where it has none yet, "Office" "12", if they are not sizes whose unit is
+/// missing or was not read: several of them, or one with one decimal, as areas have.
+fn continues(name: &str, words: &str) -> bool {
+    if name.is_empty() || words.contains(char::is_alphabetic) {
+        return true;
+    }
+    let numbers = words.split_whitespace().count();
+    let decimals = words.rsplit_once(['.', ',']).map_or(0, |(_, d)| d.chars().count());
+    let is_size = numbers > 1 || decimals == 1;
+    !is_size && !name.contains(|c: char| c.is_ascii_digit())
 }
 
 /// The texts that stand close, by the order of their first ones.
@@ -182,6 +194,17 @@ mod tests {
         assert_eq!(name(&[text("desk", 3.0, 2.0, 0.1), text("210", 1.0, 3.5, 0.3)]), "210");
         assert_eq!(name(&[text("3450", 3.0, 2.0, 0.2), text("Kitchen", 1.0, 3.5, 0.2)]), "Kitchen");
         assert_eq!(name(&[text("left", 1.0, 3.5, 0.2), text("middle", 3.0, 2.0, 0.2)]), "middle");
+    }
+
+    #[test]
+    fn a_name_has_one_number_and_no_size() {
+        for (number, all) in
+            [("12", "Office 12"), ("2.14", "Office 2.14"), ("45.4", "Office"), ("2.31 2.21", "Office")]
+        {
+            assert_eq!(name(&[text("Office", 3.0, 2.3, 0.2), text(number, 3.0, 2.0, 0.2)]), all);
+        }
+        let three = [text("Office", 3.0, 2.3, 0.2), text("05", 3.0, 2.0, 0.2), text("8", 3.0, 1.7, 0.2)];
+        assert_eq!(name(&three), "Office 05");
     }
 
     #[test]

@@ -4,9 +4,10 @@
 //! Connected parts (`components`) that may be letters (`glyph`) are put into lines (`lines`, `extras`). Letters that touch
 //! walls are cut off them first (`cut`). Each line is cut out, turned and enlarged (`crop`), and read (`read`) by an
 //! [`OcrEngine`](engine::OcrEngine), the way round that words beside it read (`context`); what does not read like words
-//! (`plausible`) stays ink. Where nothing can be read, the
-//! shape of a line decides (`shape`).
+//! (`plausible`) stays ink. Where nothing can be read, the shape of a line decides (`shape`). Coloured bands with light
+//! letters are read each as a sheet of its own (`banners`).
 
+mod banners;
 mod components;
 mod context;
 mod crop;
@@ -43,7 +44,8 @@ use search::Search;
 /// What is written on a sheet.
 #[derive(Debug, Clone)]
 pub struct Words {
-    /// The texts, line by line: the known ones first, then those that were read from the top down.
+    /// The texts, line by line: the known ones first, then those that were read from the top down, then those on coloured
+    /// bands.
     pub texts: Vec<SheetText>,
     /// The ink of all words, of those as well that could not be read.
     pub erase: Mask,
@@ -90,5 +92,28 @@ pub fn find_with(
         search.erase(&line.parts, &sheet.ink, &mut erase);
         texts.extend(line.text);
     }
+    if let Some(engines) = engines {
+        texts.extend(on_banners(sheet, known, engines)?);
+    }
     Ok(Words { texts, erase, warnings: Vec::new() })
+}
+
+/// The words on coloured bands that hold no known text, where they lie on the sheet.
+fn on_banners(
+    sheet: &Sheet,
+    known: &[SheetText],
+    engines: &dyn OcrEngines,
+) -> Result<Vec<SheetText>, engine::OcrError> {
+    let mut texts = Vec::new();
+    let is_new = |b: &banners::Banner| known.iter().all(|t| !b.holds(t.centre));
+    for banner in banners::find(sheet).into_iter().filter(is_new) {
+        let mut search = Search::of(&banner.sheet);
+        let lines = std::mem::take(&mut search.lines);
+        let found = search.read(lines, &banner.sheet, engines)?.into_iter().filter_map(|f| f.text);
+        texts.extend(found.map(|t| SheetText {
+            centre: [t.centre[0] + f64::from(banner.at[0]), t.centre[1] + f64::from(banner.at[1])],
+            ..t
+        }));
+    }
+    Ok(texts)
 }
