@@ -30,6 +30,7 @@ mod random;
 mod raster;
 mod rooms;
 mod segments;
+mod shown;
 mod straight;
 mod walls;
 

@@ -1,9 +1,10 @@
-//! Doors in the free space: it is cut along each of them, and the regions on their two sides are told.
+//! What a document shows, in the free space: it is cut along each door, and the regions on the two sides of one are told,
+//! and those that something is written in.
 
 use super::super::doors::Door;
 use super::space::Space;
 use planform_sdk::Point;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A door's line goes on beyond its jambs to the wall, which is no farther than this, metres.
 const BEYOND: f64 = 0.4;
@@ -104,8 +105,18 @@ pub fn between(space: &Space, label: &[u32], doors: &[Door]) -> BTreeMap<(u32, u
     found
 }
 
+/// The labels in which these points lie.
+pub fn under(space: &Space, label: &[u32], points: &[Point]) -> BTreeSet<u32> {
+    let at = |p: &Point| {
+        let p = cell(space, *p);
+        space.index(p.x, p.y).map(|i| label[i]).filter(|&l| l != 0)
+    };
+    points.iter().filter_map(at).collect()
+}
+
 #[cfg(test)]
 mod tests {
+    use super::super::super::shown::Shown;
     use super::super::merge::{self, Merge};
     use super::super::model::Model;
     use super::super::space::tests::space;
@@ -128,8 +139,12 @@ mod tests {
         Door { segment: Segment::new(Point::new(x, 1.0), Point::new(x, top)), thickness: 0.1 }
     }
 
+    fn shown(doors: &[Door]) -> Shown {
+        Shown { doors: doors.to_vec(), labels: vec![] }
+    }
+
     fn rooms(space: Space, doors: &[Door]) -> usize {
-        let cut = Cut::at_doors(space, doors);
+        let cut = Cut::of_shown(space, &shown(doors));
         let view = cut.view();
         let mut regions = cut.regions(&view);
         merge::rooms(&mut regions, &Model::default(), &Merge::default());
@@ -145,6 +160,44 @@ mod tests {
         assert_eq!(rooms(hall(4), &[Door { segment: leaning, thickness: 0.1 }]), 2);
     }
 
+    /// Six rooms of 2.5 x 3 m in a row at 0.1 m, doors of 1 m in all walls between them but the last.
+    fn row() -> (Space, Vec<Door>) {
+        let wall = |r: usize, c: usize| c % 26 == 25 && !(10..20).contains(&r);
+        let line = |r: usize| (0..155).map(|c| if wall(r, c) { '#' } else { '.' }).collect::<String>();
+        let rows: Vec<String> = (0..30).rev().map(line).collect();
+        let space = space(&rows.iter().map(String::as_str).collect::<Vec<_>>(), 0.1);
+        (space, (1..5).map(|k| door(2.6 * f64::from(k) - 0.05, 2.0)).collect())
+    }
+
+    #[test]
+    fn what_is_beyond_a_gap_without_a_door_is_likely_a_piece_unless_both_are_named() {
+        let doors = row().1;
+        let at = |x: f64| Point::new(x, 1.5);
+        let likely = |labels: Vec<Point>, doors: &[Door], a: f64, b: f64| {
+            let cut = Cut::of_shown(row().0, &Shown { doors: doors.to_vec(), labels });
+            let view = cut.view();
+            let [a, b] = [a, b].map(|x| under(&cut.space, &cut.basins.label, &[at(x)]));
+            cut.regions(&view).likely_one(*a.first().unwrap(), *b.first().unwrap())
+        };
+        assert!(likely(vec![], &doors, 11.7, 14.3));
+        assert!(likely(vec![at(11.7)], &doors, 11.7, 14.3));
+        assert!(!likely(vec![at(11.7), at(14.3)], &doors, 11.7, 14.3));
+        assert!(!likely(vec![], &doors, 1.2, 3.8), "there is a door between them");
+        assert!(!likely(vec![], &doors[..2], 11.7, 14.3), "too few doors are shown");
+    }
+
+    #[test]
+    fn a_place_that_is_written_in_is_told() {
+        let cut = Cut::of_shown(hall(2), &shown(&[door(4.05, 2.0)]));
+        let points = [Point::new(2.0, 2.0), Point::new(2.5, 2.5), Point::new(-3.0, 1.0)];
+        let found = under(&cut.space, &cut.basins.label, &points);
+        assert_eq!(found.len(), 1);
+        assert_eq!(
+            under(&cut.space, &cut.basins.label, &[Point::new(6.0, 2.0)]).intersection(&found).count(),
+            0
+        );
+    }
+
     #[test]
     fn a_door_that_does_not_reach_from_wall_to_wall_divides_nothing() {
         let free = Door { segment: Segment::new(Point::new(2.0, 1.6), Point::new(2.0, 2.4)), thickness: 0.1 };
@@ -153,7 +206,7 @@ mod tests {
 
     #[test]
     fn doors_outside_of_the_free_space_change_nothing() {
-        let cut = |doors: &[Door]| Cut::at_doors(hall(2), doors).basins.label;
+        let cut = |doors: &[Door]| Cut::of_shown(hall(2), &shown(doors)).basins.label;
         for x in [-50.0, 1e8, f64::NAN] {
             assert_eq!(cut(&[door(x, 2.0)]), cut(&[]));
         }
@@ -161,7 +214,7 @@ mod tests {
 
     #[test]
     fn every_free_cell_keeps_a_basin() {
-        let cut = Cut::at_doors(hall(2), &[door(4.05, 2.0)]);
+        let cut = Cut::of_shown(hall(2), &shown(&[door(4.05, 2.0)]));
         assert!(cut.basins.label.iter().zip(&cut.space.free).all(|(l, free)| (*l != 0) == *free));
         let view = cut.view();
         let regions = Regions::of_basins(&view, &cut.basins);

@@ -6,6 +6,7 @@ use super::super::finish::{self, Frame};
 use super::super::names::{self, Called};
 use super::super::openings::Gap;
 use super::super::raster::Mask;
+use super::super::shown::Shown;
 use super::super::straight::{self, Labelled, Plan, RoomPlan, StraightWall};
 use super::super::{Drawing, Observer, Params, ReconstructError, Step};
 use super::explored::{self, Border, Knowledge};
@@ -22,8 +23,8 @@ pub fn reconstruct(
 ) -> Result<Layout, ReconstructError> {
     let mut run = Run { params, observer };
     let map = Map::of(&scene.grid, params);
-    let doors = doors::of_scene(scene);
-    let cut = run.cut(&scene.grid, &map, &doors)?;
+    let shown = Shown::of_scene(scene);
+    let cut = run.cut(&scene.grid, &map, &shown)?;
     if !map.obstacles.bits().contains(&true) {
         return Err(ReconstructError::NoWalls);
     }
@@ -37,7 +38,7 @@ pub fn reconstruct(
             frame: Frame(&scene.grid),
             plan: &plan,
             known: &known,
-            doors: &doors,
+            doors: &shown.doors,
             ids: ids(&plan),
         },
     ))
@@ -83,12 +84,12 @@ impl Run<'_> {
         }
     }
 
-    fn cut(&mut self, grid: &Grid, map: &Map, doors: &[Door]) -> Result<Cut, ReconstructError> {
+    fn cut(&mut self, grid: &Grid, map: &Map, shown: &Shown) -> Result<Cut, ReconstructError> {
         self.observer.step(Step::Clutter);
         let space = Space::of_mask(&map.free, grid.resolution(), &self.params.furniture)
             .ok_or(ReconstructError::NoFreeSpace)?;
         self.observer.step(Step::Basins);
-        let cut = Cut::at_doors(space, doors);
+        let cut = Cut::of_shown(space, shown);
         self.draw(Step::Clutter, || {
             let free: Vec<u32> = cut.space.free.iter().map(|&f| u32::from(f)).collect();
             let free = map.free.with_bits(cut.on_grid(grid, &free).iter().map(|&f| f == 1).collect());

@@ -40,6 +40,9 @@ const ALONE: f64 = 0.05;
 /// What a known door adds to the log odds that the regions on its sides are one room: it outweighs all else.
 const DOOR: f64 = -12.0;
 
+/// What it adds that one of them is likely a piece of the other's room, as the free floor between furniture is.
+const PIECE: f64 = 3.0;
+
 /// Merges regions until none is left to merge. `seen` is told of every pair in the order in which they are looked
 /// at, with its evidence, and decides whether the two are one room.
 pub fn agglomerate(
@@ -111,7 +114,8 @@ impl Queue {
     fn push(&mut self, regions: &mut Regions<'_>, model: &Model, pair: (u32, u32)) {
         let Some(evidence) = evidence::weigh(regions, pair.0, pair.1) else { return };
         let door = if regions.door(pair.0, pair.1) { DOOR } else { 0.0 };
-        let odds = model.log_odds(&evidence) + door;
+        let piece = if regions.likely_one(pair.0, pair.1) { PIECE } else { 0.0 };
+        let odds = model.log_odds(&evidence) + door + piece;
         let version = self.versions.entry(pair).and_modify(|v| *v += 1).or_default();
         self.heap.push(Waiting { odds, pair, version: *version, evidence });
     }

@@ -22,14 +22,14 @@ pub mod watershed;
 mod weights;
 
 use super::Params;
-use super::doors::Door;
 use super::raster::Mask;
+use super::shown::Shown;
 use clearance::Clearance;
 use passage::View;
 use planform_sdk::{Cell, Grid};
 use regions::Regions;
 use space::Space;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use watershed::Basins;
 
 pub use explored::Explored;
@@ -47,6 +47,8 @@ pub struct Cut {
     pub basins: Basins,
     /// Metres of known door between two basins, the smaller first.
     doors: BTreeMap<(u32, u32), f64>,
+    /// The basins that something is written in.
+    named: BTreeSet<u32>,
 }
 
 /// A room is at least this large, square metres.
@@ -65,21 +67,23 @@ impl Cut {
 
     /// Cuts a space.
     pub fn of_space(space: Space) -> Self {
-        Self::at_doors(space, &[])
+        Self::of_shown(space, &Shown::default())
     }
 
-    /// Cuts a space, along these doors in any case.
-    pub fn at_doors(space: Space, known: &[Door]) -> Self {
+    /// Cuts a space of which a document shows this, along its doors in any case.
+    pub fn of_shown(space: Space, shown: &Shown) -> Self {
         let clearance = clearance::measure(&space);
-        let basins = watershed::cut(&space, &clearance, &doors::cells(&space, known));
-        let doors = doors::between(&space, &basins.label, known);
-        Self { space, clearance, basins, doors }
+        let basins = watershed::cut(&space, &clearance, &doors::cells(&space, &shown.doors));
+        let doors = doors::between(&space, &basins.label, &shown.doors);
+        let named = doors::under(&space, &basins.label, &shown.labels);
+        Self { space, clearance, basins, doors, named }
     }
 
     /// One region for each basin.
     pub fn regions<'a>(&self, view: &'a View<'a>) -> Regions<'a> {
         let mut regions = Regions::of_basins(view, &self.basins);
         regions.know_doors(&self.doors);
+        regions.know_names(&self.named);
         regions
     }
 

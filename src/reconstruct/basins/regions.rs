@@ -11,6 +11,12 @@ const WALL: f64 = 0.35;
 /// Two regions with less known door between them only touch at its jamb, metres.
 const DOOR: f64 = 0.3;
 
+/// With fewer pairs of regions at a known door the document does not show its doors.
+const DOORS: usize = 4;
+
+/// A region larger than this is a room though nothing is written in it, square metres.
+const PIECE: f64 = 8.0;
+
 /// A region: one basin or several.
 #[derive(Debug, Clone, Default)]
 pub struct Region {
@@ -34,6 +40,8 @@ pub struct Region {
     walls: BTreeMap<u32, f64>,
     /// Metres of known door that it shares with other regions.
     doors: BTreeMap<u32, f64>,
+    /// Whether something is written in it.
+    named: bool,
 }
 
 impl Region {
@@ -62,6 +70,8 @@ pub struct Regions<'a> {
     /// The region of each name; one that was merged has no basins left.
     regions: Vec<Region>,
     boundaries: BTreeMap<(u32, u32), Boundary>,
+    /// Whether the document shows its doors as such.
+    shows_doors: bool,
 }
 
 /// The two, the smaller first.
@@ -72,7 +82,12 @@ pub fn pair(a: u32, b: u32) -> (u32, u32) {
 impl<'a> Regions<'a> {
     /// One region for each basin.
     pub fn of_basins(view: &'a View<'a>, basins: &Basins) -> Self {
-        let mut graph = Self { view, regions: single_regions(view, basins), boundaries: BTreeMap::new() };
+        let mut graph = Self {
+            view,
+            regions: single_regions(view, basins),
+            boundaries: BTreeMap::new(),
+            shows_doors: false,
+        };
         for (a, b, cell) in meetings(view, &basins.label, |_, _| true) {
             graph.boundaries.entry(pair(a, b)).or_default().cells.push(cell);
         }
@@ -121,10 +136,23 @@ impl<'a> Regions<'a> {
 
     /// Tells of known doors: metres of door between two regions.
     pub fn know_doors(&mut self, doors: &BTreeMap<(u32, u32), f64>) {
+        self.shows_doors = doors.len() >= DOORS;
         for (&(a, b), &metres) in doors {
             self.regions[a as usize].doors.insert(b, metres);
             self.regions[b as usize].doors.insert(a, metres);
         }
+    }
+
+    /// Tells in which regions something is written.
+    pub fn know_names(&mut self, named: &BTreeSet<u32>) {
+        named.iter().for_each(|&r| self.regions[r as usize].named = true);
+    }
+
+    /// Whether one of two regions is likely a piece of the other's room: it is small, nothing is written in it, and the
+    /// document shows doors, but none between the two.
+    pub fn likely_one(&self, a: u32, b: u32) -> bool {
+        let is_piece = |r: u32| self.get(r).is_some_and(|r| !r.named && r.area <= PIECE);
+        self.shows_doors && !self.door(a, b) && (is_piece(a) || is_piece(b))
     }
 
     /// Whether a known door parts two regions.
@@ -155,6 +183,7 @@ impl<'a> Regions<'a> {
         region.total_clearance += merged.total_clearance;
         region.hull = region.hull.join(&merged.hull);
         region.hull_area = region.hull.area() * resolution * resolution;
+        region.named |= merged.named;
         region.basins.extend(merged.basins);
         Some(kept)
     }
@@ -227,6 +256,7 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
             cells: cells[l],
             beside: BTreeSet::new(),
             walls: BTreeMap::new(),
+            named: false,
             doors: BTreeMap::new(),
         }
     };

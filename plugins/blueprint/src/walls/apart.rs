@@ -12,7 +12,7 @@ const DOORS: usize = 2;
 const SHARE: f64 = 0.4;
 
 /// unless the largest part has so many doors that a building of that size would have this many.
-const EXPECTED: f64 = 2.0;
+const EXPECTED: f64 = 1.5;
 
 /// Takes the parts without doors that are apart from the building, and smaller, off what is occupied and inside.
 pub fn remove(drawing: &Drawing, symbols: &[SheetSymbol], occupied: &mut [bool], inside: &mut [bool]) {

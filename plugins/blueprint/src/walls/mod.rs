@@ -89,7 +89,7 @@ pub fn find(
     let stroke = stroke::usual(&drawing);
     let mut lines = straight::runs(&drawing.ink, drawing.width);
     let sure = sure(&drawing, &lines, stroke, read);
-    let none = none_of_it(&drawing, &sure, read.symbols);
+    let none = none_of_it(&drawing, &sure, read);
     (0..none.len()).filter(|&i| none[i]).for_each(|i| {
         drawing.ink[i] = false;
         lines.length[i] = 0;
@@ -127,7 +127,7 @@ fn sure(drawing: &Drawing, lines: &Straight, stroke: f64, read: Read) -> Sure {
 
 /// Thin lines that are none of the building's, if the sure walls enclose most of what is enclosed by any line: then
 /// they are its outer walls, and lines beyond them or through them are not.
-fn none_of_it(drawing: &Drawing, sure: &Sure, symbols: &[SheetSymbol]) -> Vec<bool> {
+fn none_of_it(drawing: &Drawing, sure: &Sure, read: Read) -> Vec<bool> {
     let count = |set: &[bool]| set.iter().filter(|&&s| s).count() as f64;
     let by_walls = inside::find(drawing, &sure.wall);
     let by_lines = inside::find(drawing, &drawing.ink);
@@ -135,7 +135,7 @@ fn none_of_it(drawing: &Drawing, sure: &Sure, symbols: &[SheetSymbol]) -> Vec<bo
         return vec![false; drawing.ink.len()];
     }
     let leaving = leaving::lines(drawing, &by_walls);
-    let beyond = beyond::ink(drawing, &by_walls, &by_lines, symbols);
+    let beyond = beyond::ink(drawing, &by_walls, &by_lines, read);
     (0..leaving.len()).map(|i| (leaving[i] || beyond[i]) && !sure.wall[i]).collect()
 }
 

@@ -36,6 +36,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/boundary.rs"
     "plugins/sdk/src/error.rs"
     "plugins/sdk/src/exporter.rs"
+    "plugins/sdk/src/fitting.rs"
     "plugins/sdk/src/geometry.rs"
     "plugins/sdk/src/grid.rs"
     "plugins/sdk/src/layout.rs"
