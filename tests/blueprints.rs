@@ -29,15 +29,15 @@ struct Floors {
 }
 
 const FLOORS: Floors = Floors {
-    removed: 0.935,
-    lost: 0.005,
-    words: 0.78,
-    precision: 0.87,
-    recall: 0.69,
-    names: 0.77,
-    a_fc: 0.86,
-    a_bc: 0.91,
-    scale_error: 0.035,
+    removed: 0.965,
+    lost: 0.002,
+    words: 0.895,
+    precision: 0.92,
+    recall: 0.885,
+    names: 0.885,
+    a_fc: 0.94,
+    a_bc: 0.905,
+    scale_error: 0.033,
 };
 
 const PLANS: u64 = 20;

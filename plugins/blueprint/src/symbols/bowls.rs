@@ -1,6 +1,7 @@
 //! Basins and toilets, by the regions that their lines enclose: a bowl is round; a basin's outline runs around it, a
 //! toilet's tank lies behind it.
 
+use super::near::Near;
 use super::plane::{Plane, Vec2};
 use super::regions::{Region, regions};
 use super::shapes::{Box2, erase_inside};
@@ -12,6 +13,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const FINE: f64 = 0.018;
 /// A region narrower than this is a line's own inside, and none is longer, metres.
 const SIDES: [f64; 2] = [0.07, 1.0];
+/// The middles of two regions of one thing are no farther apart, metres.
+const REACH: f64 = 1.2;
 /// How far a round outline may be off an ellipse, as a share of its size.
 const ROUND: f64 = 0.11;
 /// A toilet's bowl across and along, metres.
@@ -55,7 +58,8 @@ pub fn find(ink: &Mask, pixel: f64, erase: &mut Mask) -> Vec<SheetSymbol> {
 /// Adds what is found on a plane, toilets first: a seat in a bowl looks much like a basin.
 fn search(plane: &Plane, pixel: f64, found: &mut Vec<SheetSymbol>) {
     let parts = regions(plane, SIDES[0] / pixel, SIDES[1] / pixel);
-    let search = Search { plane, parts: &parts, pixel };
+    let near = Near::of(parts.iter().map(Region::middle), REACH / pixel);
+    let search = Search { plane, parts: &parts, near: &near, pixel };
     let toilets = parts.iter().filter_map(|bowl| search.toilet(bowl));
     let basins = parts.iter().filter_map(|bowl| search.basin(bowl));
     for symbol in toilets.chain(basins) {
@@ -92,11 +96,17 @@ fn within(range: [f64; 2], value: f64) -> bool {
 struct Search<'a> {
     plane: &'a Plane,
     parts: &'a [Region],
+    near: &'a Near,
     /// Metres per pixel of the plane.
     pixel: f64,
 }
 
 impl Search<'_> {
+    /// The regions near one.
+    fn around(&self, region: &Region) -> impl Iterator<Item = &Region> {
+        self.near.around(region.middle()).into_iter().map(|i| &self.parts[i])
+    }
+
     fn metres(&self, region: &Region) -> [f64; 2] {
         region.size().map(|s| s * self.pixel)
     }
@@ -113,7 +123,7 @@ impl Search<'_> {
         (0..4).filter(|&front| off[front] < ROUND).find_map(|front| {
             let (across, along) = if front < 2 { (h, w) } else { (w, h) };
             let sized = within(TOILET[0], across) && within(TOILET[1], along) && along > 0.85 * across;
-            let tank = self.parts.iter().find(|t| sized && self.is_tank(t, bowl, front))?;
+            let tank = self.around(bowl).find(|t| sized && self.is_tank(t, bowl, front))?;
             let angle = [-FRAC_PI_2, FRAC_PI_2, 0.0, PI][front];
             Some(symbol("toilet", around(&[bowl, tank]), angle, 1.0 - off[front]))
         })
@@ -124,7 +134,7 @@ impl Search<'_> {
         let (size, own) = (self.metres(tank), self.metres(bowl));
         let (across, along) = if axis == 0 { (size[1], size[0]) } else { (size[0], size[1]) };
         // From the bowl's rear end to the tank's front.
-        let gap = if front % 2 == 0 {
+        let gap = if front.is_multiple_of(2) {
             f64::from(tank.bounds[axis]) - f64::from(bowl.bounds[axis + 2])
         } else {
             f64::from(bowl.bounds[axis]) - f64::from(tank.bounds[axis + 2])
@@ -156,8 +166,7 @@ impl Search<'_> {
         let near = (0.04 / self.pixel).max(3.0);
         let [left, top, right, bottom] = bowl.bounds.map(f64::from);
         let touching: Vec<&Region> = self
-            .parts
-            .iter()
+            .around(bowl)
             .filter(|p| {
                 let [l, t, r, b] = p.bounds.map(f64::from);
                 l < right + near && r > left - near && t < bottom + near && b > top - near

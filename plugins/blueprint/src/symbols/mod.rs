@@ -7,6 +7,7 @@ mod drawing;
 mod fixtures;
 pub mod library;
 mod lifts;
+mod near;
 mod panes;
 mod picture;
 mod plane;

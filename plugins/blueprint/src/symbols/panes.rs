@@ -1,6 +1,7 @@
 //! Windows by the regions between their lines: long boxes, one or several side by side, that close a gap in a wall. What
 //! stands close to the window on one side, a desk or a flight of steps, does no harm.
 
+use super::near::Near;
 use super::plane::{Plane, Vec2};
 use super::regions::{Region, regions};
 use super::shapes::Box2;
@@ -39,13 +40,14 @@ pub fn find(sheet: &Sheet, ink: &Mask, pixel: f64) -> Vec<SheetSymbol> {
         w.max(h) >= LENGTH[0] && w.min(h) <= DEPTH[1] && w.max(h) > 1.3 * w.min(h) && r.fullness() >= FULL
     });
     let search = Search { sheet, plane: &plane, pixel: own };
+    let near = Near::of(boxes.iter().map(Region::middle), DEPTH[1] / own);
     let mut taken = vec![false; boxes.len()];
     let mut found = Vec::new();
     for i in 0..boxes.len() {
         if taken[i] {
             continue;
         }
-        let stack = stack(&boxes, i, own);
+        let stack = stack(&boxes, &near, i, own);
         stack.iter().for_each(|&k| taken[k] = true);
         let panes = Panes::of(&boxes, &stack);
         if search.is_window(&panes) {
@@ -56,7 +58,7 @@ pub fn find(sheet: &Sheet, ink: &Mask, pixel: f64) -> Vec<SheetSymbol> {
 }
 
 /// The boxes of the same length that lie side by side with this one, but for a line between.
-fn stack(boxes: &[Region], first: usize, pixel: f64) -> Vec<usize> {
+fn stack(boxes: &[Region], near: &Near, first: usize, pixel: f64) -> Vec<usize> {
     let mut stack = vec![first];
     let axis = lying(&boxes[first]);
     let slack = (0.04 / pixel).max(2.0);
@@ -64,7 +66,8 @@ fn stack(boxes: &[Region], first: usize, pixel: f64) -> Vec<usize> {
     let mut k = 0;
     while k < stack.len() {
         let own = &boxes[stack[k]].bounds;
-        let joins = |(i, r): (usize, &Region)| {
+        let joins = |i: usize| {
+            let r = &boxes[i];
             let b = &r.bounds;
             let same = |side: usize| f64::from(b[side].abs_diff(own[side])) <= slack;
             let across = 1 - axis;
@@ -73,7 +76,7 @@ fn stack(boxes: &[Region], first: usize, pixel: f64) -> Vec<usize> {
             let beside = lying(r) == axis && same(axis) && same(axis + 2) && (0.0..=stroke).contains(&gap);
             (beside && !stack.contains(&i)).then_some(i)
         };
-        let more: Vec<usize> = boxes.iter().enumerate().filter_map(joins).collect();
+        let more: Vec<usize> = near.around(boxes[stack[k]].middle()).into_iter().filter_map(joins).collect();
         stack.extend(more);
         k += 1;
     }

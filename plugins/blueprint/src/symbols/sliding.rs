@@ -1,5 +1,6 @@
 //! Doors that slide: two leaves beside each other in the opening, each over one half of it, one behind the other.
 
+use super::near::Near;
 use super::plane::Plane;
 use super::runs::{Frame, Lying};
 use super::shapes::{Box2, erase_inside};
@@ -27,8 +28,9 @@ pub fn find(
     let leaf = |s: &&Segment| (LEAF[0]..=LEAF[1]).contains(&(s.length() * pixel));
     let leaves: Vec<&Segment> = segments.iter().filter(leaf).collect();
     let mut found: Vec<SheetSymbol> = Vec::new();
+    let near = Near::of(leaves.iter().map(|l| l.middle()), LEAF[1] / pixel);
     for (i, a) in leaves.iter().enumerate() {
-        for b in &leaves[i + 1..] {
+        for b in near.around(a.middle()).into_iter().filter(|&k| k > i).map(|k| leaves[k]) {
             let area =
                 opening(plane, a, b, pixel).filter(|o| !found.iter().any(|f| Box2::of(f).contains(o.centre)));
             if let Some(area) = area {
@@ -83,7 +85,7 @@ fn is_held(plane: &Plane, frame: &Frame, end: f64, out: f64, (low, high): (f64, 
     let face = |off: f64| plane.covered(frame.at(start, off), frame.at(stop, off), 0.5) >= 0.9;
     let reach = (0.25 / pixel) as i32;
     let one_side = |sign: f64| (1..=reach).any(|k| face(middle + sign * f64::from(k)));
-    (solid || one_side(-1.0)) && (solid || one_side(1.0)) && cap
+    cap && (solid || one_side(-1.0) && one_side(1.0))
 }
 
 /// Whether the rest of the opening is free: beside each leaf what the other one leaves open, and both sides of the wall.

@@ -172,3 +172,36 @@ fn an_empty_sheet_shows_nothing() {
     assert!(Paper::new(1, 1).read(None).symbols.is_empty());
     assert!(Paper::new(300, 200).read(Some(f64::NAN)).symbols.is_empty());
 }
+
+/// A wall of 0.2 m with a gap of 1.6 m between x = 150 and 230, filled by these two lines between.
+fn gap(lines: [[[f64; 2]; 2]; 2]) -> Symbols {
+    let mut paper = Paper::new(400, 300);
+    paper.fill(20..150, 150..160, [0; 3]);
+    paper.fill(230..380, 150..160, [0; 3]);
+    lines.iter().for_each(|[a, b]| paper.line(*a, *b));
+    paper.read(Some(METRES))
+}
+
+#[test]
+fn two_leaves_behind_each_other_slide_and_two_panes_do_not() {
+    let sliding = gap([[[150.0, 152.0], [194.0, 152.0]], [[186.0, 157.0], [229.0, 157.0]]]);
+    let kinds: Vec<&str> = sliding.symbols.iter().map(|s| s.kind.as_str()).collect();
+    assert_eq!(kinds, ["sliding-door"]);
+    let door = &sliding.symbols[0];
+    assert!((door.centre[0] - 190.0).abs() < 3.0 && (door.width - 80.0).abs() < 8.0, "{door:?}");
+    let window = gap([[[150.0, 150.0], [229.0, 150.0]], [[150.0, 158.0], [229.0, 158.0]]]);
+    let kinds: Vec<&str> = window.symbols.iter().map(|s| s.kind.as_str()).collect();
+    assert_eq!(kinds, ["window"]);
+}
+
+#[test]
+fn a_window_with_a_desk_before_it_is_one() {
+    let mut paper = Paper::new(400, 300);
+    paper.fill(20..150, 150..160, [0; 3]);
+    paper.fill(230..380, 150..160, [0; 3]);
+    for y in [150.0, 154.0, 158.0, 162.0] {
+        paper.line([150.0, y], [229.0, y]);
+    }
+    let found = paper.read(Some(METRES));
+    assert!(found.symbols.iter().any(|s| s.kind == "window"), "{:?}", found.symbols);
+}
