@@ -91,7 +91,12 @@ impl Registry {
         if let Some(refused) = refused.strip_prefix("; ") {
             return error.advise(refused);
         }
-        let known: Vec<_> = self.adapters().flat_map(|(a, _)| a.info().extensions.iter().cloned()).collect();
+        let mut known: Vec<String> = Vec::new();
+        for extension in self.adapters().flat_map(|(a, _)| a.info().extensions.clone()) {
+            if !known.contains(&extension) {
+                known.push(extension);
+            }
+        }
         error.advise(format!("it reads {}; `--from` names the adapter to try anyway", known.join(", ")))
     }
 

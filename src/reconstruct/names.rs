@@ -8,7 +8,7 @@ use planform_sdk::{Point, Polygon, Text};
 use std::cmp::Ordering;
 
 /// A text that was read with less confidence is none.
-const LEAST_CONFIDENCE: f64 = 0.3;
+const LEAST_CONFIDENCE: f64 = 0.5;
 
 /// Texts of one block differ in direction by at most this, radians.
 const TURN: f64 = 0.2;

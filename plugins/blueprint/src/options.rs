@@ -119,7 +119,7 @@ impl Request {
                     Some("off") => OcrMode::Off,
                     _ => OcrMode::Auto,
                 },
-                lang: options.text("lang").unwrap_or("eng").to_owned(),
+                lang: languages(options.text("lang").unwrap_or("eng"))?,
                 tessdata: path("tessdata"),
             },
             templates: path("templates"),
@@ -151,6 +151,19 @@ fn known_scale(options: &Options) -> Result<KnownScale, PluginError> {
             refuse("known-distance", text, "five numbers, X1,Y1,X2,Y2,METRES, of two points that differ")
         })
     })
+}
+
+/// Tesseract's names of languages, joined by `+`. Anything else is refused here: its library may crash on it.
+fn languages(text: &str) -> Result<String, PluginError> {
+    let names: Vec<&str> = text.split('+').map(str::trim).collect();
+    let is_name = |name: &str| {
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        !name.is_empty() && name.split('/').all(|part| !part.is_empty() && part.chars().all(plain))
+    };
+    if names.iter().all(|n| is_name(n)) {
+        return Ok(names.join("+"));
+    }
+    Err(refuse("lang", text, "Tesseract's names of languages, joined by `+`, such as eng+deu"))
 }
 
 fn refuse(name: &str, value: &str, expected: &str) -> PluginError {
@@ -213,6 +226,16 @@ mod tests {
         ] {
             let error = request(&[(name, value)]).unwrap_err();
             assert!(error.starts_with(&format!("option `{name}` cannot be `{value}`; give ")), "{error}");
+        }
+    }
+
+    #[test]
+    fn languages_are_names() {
+        assert_eq!(request(&[("lang", "eng+ deu")]).unwrap().words.lang, "eng+deu");
+        assert!(request(&[("lang", "script/Latin+chi_sim")]).is_ok());
+        for lang in ["", "+", " ", "~eng", "../eng", "eng,deu", "eng+"] {
+            let error = request(&[("lang", lang)]).unwrap_err();
+            assert!(error.starts_with(&format!("option `lang` cannot be `{lang}`; give ")), "{error}");
         }
     }
 

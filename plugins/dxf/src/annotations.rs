@@ -4,7 +4,7 @@ use crate::entity::{Entity, Shape, Value};
 use crate::layer::Layer;
 use crate::symbols;
 use crate::text::one_line;
-use planform_sdk::{Frontier, FrontierKind, Opening, OpeningKind, Point, Pose, Symbol, Text};
+use planform_sdk::{Frontier, FrontierKind, Layout, Opening, OpeningKind, Point, Pose, Symbol, Text};
 
 /// Height of letters where the document gives none, metres.
 const LETTER_HEIGHT: f64 = 0.2;
@@ -39,8 +39,14 @@ pub fn frontier(frontier: &Frontier) -> Entity {
     Entity { layer: Layer::Frontier, shape: Shape::Line(frontier.segment), data }
 }
 
+/// The texts of the document that no room's label shows already.
+pub fn texts(layout: &Layout) -> impl Iterator<Item = Entity> {
+    let said = |t: &&Text| !layout.rooms.iter().any(|room| room.is_called(t));
+    layout.texts.iter().filter(said).filter_map(text)
+}
+
 /// A text of the document; nothing for a blank one.
-pub fn text(text: &Text) -> Option<Entity> {
+fn text(text: &Text) -> Option<Entity> {
     let data = vec![
         ("kind", "text".into()),
         ("content", one_line(&text.content).trim().into()),

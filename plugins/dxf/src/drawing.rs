@@ -21,7 +21,7 @@ impl Drawing {
         entities.extend(walls::draw(layout));
         entities.extend(layout.openings.iter().map(annotations::opening));
         entities.extend(layout.frontiers.iter().map(annotations::frontier));
-        entities.extend(layout.texts.iter().filter_map(annotations::text));
+        entities.extend(annotations::texts(layout));
         entities.extend(symbols::draw(layout));
         Self { bounds: bounds(entities.iter().flat_map(|e| e.shape.corners())), entities }
     }

@@ -21,7 +21,7 @@
 //! | `A-AREA` | the rooms: one outer ring and a ring for each hole | closed polyline |
 //! | `A-AREA-IDEN` | the rooms' names (`Room 3` if a room has none) and areas | text |
 //! | `A-AREA-PRTL` | frontiers: where a partial room meets the unexplored | line |
-//! | `A-ANNO-TEXT` | the document's texts, and the names of symbols that there is no drawing of | text |
+//! | `A-ANNO-TEXT` | the document's texts, but for those that a room's name is made of, and the names of symbols that there is no drawing of | text |
 //! | `A-ANNO-SYMB` | the signs of evacuation plans | block |
 //!
 //! Leaf and swing of a door are those that the document shows; a layout of a robot's map knows none. A door to the outside,

@@ -63,6 +63,18 @@ impl Room {
     pub fn area(&self) -> f64 {
         self.inner.area()
     }
+
+    /// Whether a text stands in the room and its words are a part of the room's name, which may be put together of several
+    /// texts: then the room's label shows it already.
+    pub fn is_called(&self, text: &Text) -> bool {
+        let spaced =
+            |s: &str| s.split_whitespace().flat_map(|word| [" ", word]).chain([" "]).collect::<String>();
+        let middle = Point::new(text.pose.x, text.pose.y);
+        let says =
+            |name: &str| !text.content.trim().is_empty() && spaced(name).contains(&spaced(&text.content));
+        self.name.as_deref().is_some_and(says)
+            && (self.centre.contains(middle) || self.inner.contains(middle))
+    }
 }
 
 /// Whether all of a room was seen.
@@ -211,6 +223,30 @@ mod tests {
         let edges = layout.graph().edges;
         assert_eq!(edges.len(), 2);
         assert_eq!((edges[1].rooms, edges[1].openings.as_slice()), ([2, 3], [0, 2].as_slice()));
+    }
+
+    fn text_at(content: &str, x: f64) -> Text {
+        let pose = crate::Pose { x, y: 2.0, yaw: 0.0 };
+        Text { content: content.into(), pose, width: 1.0, height: 0.2, confidence: 1.0 }
+    }
+
+    #[test]
+    fn a_room_is_called_what_its_name_is_made_of() {
+        let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
+        let outline = Polygon::new(square, vec![]);
+        let (name, centre) = (Some("Meeting Room 12".into()), outline.clone());
+        let room =
+            Room { id: 1, name, stated_area: None, state: RoomState::Complete, inner: outline, centre };
+        for (content, x, is) in [
+            ("Meeting  Room", 1.0, true),
+            ("12", 1.0, true),
+            ("12", 5.0, false),
+            ("1", 1.0, false),
+            ("Meeting Room 13", 1.0, false),
+            (" ", 1.0, false),
+        ] {
+            assert_eq!(room.is_called(&text_at(content, x)), is, "{content} at {x}");
+        }
     }
 
     #[test]

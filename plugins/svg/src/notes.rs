@@ -3,7 +3,7 @@
 use crate::element::{layer, number, with_text};
 use crate::rooms::ems;
 use crate::sheet::Sheet;
-use planform_sdk::{Layout, Point, Room, Text};
+use planform_sdk::{Layout, Point, Text};
 use svg::Node;
 use svg::node::element::{Element, Group, Rectangle};
 
@@ -12,17 +12,9 @@ const LETTERING: f64 = 0.2;
 
 /// The layer `texts`: what the document says, where it says it. With `labelled`, what a room's label shows is hidden.
 pub fn texts(layout: &Layout, labelled: bool, sheet: &Sheet) -> Group {
-    let repeated = |t: &Text| labelled && layout.rooms.iter().any(|room| is_in_name(t, room));
+    let repeated = |t: &Text| labelled && layout.rooms.iter().any(|room| room.is_called(t));
     let class = |t: &Text| if repeated(t) { "text named" } else { "text" };
     (1..).zip(&layout.texts).map(|(n, t)| text(n, t, class(t), sheet)).fold(layer("texts"), Group::add)
-}
-
-/// Whether a text stands in the room and its words are a part of the room's name, which may be of several texts.
-fn is_in_name(text: &Text, room: &Room) -> bool {
-    let spaced = |s: &str| s.split_whitespace().flat_map(|word| [" ", word]).chain([" "]).collect::<String>();
-    let middle = Point::new(text.pose.x, text.pose.y);
-    let says = |name: &str| !text.content.trim().is_empty() && spaced(name).contains(&spaced(&text.content));
-    room.name.as_deref().is_some_and(says) && (room.centre.contains(middle) || room.inner.contains(middle))
 }
 
 fn text(number_of: usize, text: &Text, class: &str, sheet: &Sheet) -> Element {
@@ -73,7 +65,7 @@ fn round_length(most: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use planform_sdk::{Polygon, Pose, RoomState};
+    use planform_sdk::Pose;
 
     #[test]
     fn bar_has_a_round_length() {
@@ -81,30 +73,6 @@ mod tests {
             [(1.0, 1.0), (1.9, 1.0), (2.0, 2.0), (4.99, 2.0), (9.0, 5.0), (70.0, 50.0), (0.3, 0.2)]
         {
             assert!((round_length(most) - length).abs() < 1e-9, "{most}");
-        }
-    }
-
-    fn text_at(content: &str, x: f64) -> Text {
-        let pose = Pose { x, y: 2.0, yaw: 0.0 };
-        Text { content: content.into(), pose, width: 1.0, height: 0.2, confidence: 1.0 }
-    }
-
-    #[test]
-    fn all_texts_of_a_name_are_hidden_and_no_others() {
-        let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
-        let outline = Polygon::new(square, vec![]);
-        let (name, centre) = (Some("Meeting Room 12".into()), outline.clone());
-        let room =
-            Room { id: 1, name, stated_area: None, state: RoomState::Complete, inner: outline, centre };
-        for (content, x, hidden) in [
-            ("Meeting  Room", 1.0, true),
-            ("12", 1.0, true),
-            ("12", 5.0, false),
-            ("1", 1.0, false),
-            ("Meeting Room 13", 1.0, false),
-            (" ", 1.0, false),
-        ] {
-            assert_eq!(is_in_name(&text_at(content, x), &room), hidden, "{content} at {x}");
         }
     }
 

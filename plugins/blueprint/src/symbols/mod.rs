@@ -52,6 +52,10 @@ const LEAF: [f64; 2] = [0.55, 1.35];
 const LEAF_PIXELS: [f64; 2] = [8.0, 44.0];
 /// No leaf is shorter than this share of the sheet's longer side, nor longer than this one.
 const LEAF_SHARES: [f64; 2] = [0.004, 0.1];
+/// No sign is drawn larger than this, metres of the building,
+const LARGEST_SIGN: f64 = 2.2;
+/// unless it has this score.
+const SURE_SIGN: f64 = 0.8;
 /// A usual leaf is at least so long on a plane, pixels.
 const SHARP: f64 = 18.0;
 /// Strokes of doors and stairs are thinner than this, pixels of a plane.
@@ -69,7 +73,7 @@ pub fn find(
 ) -> Symbols {
     let metres_per_pixel = metres_per_pixel.filter(|m| *m > 0.0 && m.is_finite());
     let mut found = Symbols { symbols: Vec::new(), erase: Mask::empty(ink.width, ink.height) };
-    signs(sheet, ink, library, &mut found);
+    signs(sheet, ink, library, metres_per_pixel, &mut found);
     let rest = ink.clone().without(&found.erase);
     let view = best_view(&rest, metres_per_pixel);
     if let Some(view) = &view {
@@ -83,9 +87,9 @@ pub fn find(
     found
 }
 
-fn signs(sheet: &Sheet, ink: &Mask, library: &Library, found: &mut Symbols) {
+fn signs(sheet: &Sheet, ink: &Mask, library: &Library, pixel: Option<f64>, found: &mut Symbols) {
     for symbol in signs::alike(signs::find(sheet, library)) {
-        if is_aside(sheet, &symbol) {
+        if is_aside(sheet, &symbol) || pixel.is_some_and(|p| is_a_room(&symbol, p)) {
             continue;
         }
         let keep = |t: &library::Template| t.kind == symbol.kind && t.action == library::Action::Keep;
@@ -94,6 +98,11 @@ fn signs(sheet: &Sheet, ink: &Mask, library: &Library, found: &mut Symbols) {
         }
         found.symbols.push(symbol);
     }
+}
+
+/// Whether a sign is so large in the building that it is a coloured room rather, unless it surely is one.
+fn is_a_room(symbol: &SheetSymbol, pixel: f64) -> bool {
+    symbol.width.min(symbol.height) * pixel > LARGEST_SIGN && symbol.score < SURE_SIGN
 }
 
 /// Whether a sign stands in a legend or a title block, where it only explains itself.

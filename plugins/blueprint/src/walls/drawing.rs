@@ -52,9 +52,18 @@ impl Drawing {
 
     /// The pixel at a place on the sheet, if it lies on the drawing.
     pub fn at_sheet(&self, place: [f64; 2]) -> Option<usize> {
-        let [x, y] = place.map(|c| (c / self.factor as f64).floor());
+        self.at(place.map(|c| c / self.factor as f64))
+    }
+
+    /// The pixel at a place on the drawing, if it lies there.
+    pub fn at(&self, [x, y]: [f64; 2]) -> Option<usize> {
         let inside = x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < self.height as f64;
         inside.then(|| y as usize * self.width + x as usize)
+    }
+
+    /// Whether there is ink at a place on the drawing.
+    pub fn has_ink(&self, place: [f64; 2]) -> bool {
+        self.at(place).is_some_and(|i| self.ink[i])
     }
 
     /// How far every pixel of paper is from ink: squared, pixels.

@@ -4,8 +4,9 @@
 //! lines (`narrow`), hatched or not. Whether a thin line is one is told by what it parts. The gaps in line are closed
 //! (`bridges`), so that ink and walls enclose faces (`faces`); faces that are too small for a room, and those with more
 //! gap than line between them, become one with the face beside (`merge`), for they are furniture, stairs, hatching. A
-//! line that still has different rooms on its two sides is a wall, all others are not, nor are lines that run through an
-//! outer wall (`leaving`) or lie beyond it (`beyond`). What walls enclose is the building (`inside`).
+//! line that still has different rooms on its two sides is a wall, all others are not, nor are lines from words to dots
+//! (`leaders`), or lines that run through an outer wall (`leaving`) or lie beyond it (`beyond`). What walls enclose is the
+//! building (`inside`).
 
 mod apart;
 mod beyond;
@@ -16,6 +17,7 @@ mod distance;
 mod drawing;
 mod faces;
 mod inside;
+mod leaders;
 mod leaving;
 mod merge;
 mod narrow;
@@ -89,11 +91,11 @@ pub fn find(
     let stroke = stroke::usual(&drawing);
     let mut lines = straight::runs(&drawing.ink, drawing.width);
     let sure = sure(&drawing, &lines, stroke, read);
+    let leaders = leaders::ink(&drawing, &sure.solid, stroke, read.texts);
+    let leaders = leaders.iter().zip(&sure.wall).map(|(l, w)| *l && !w).collect();
+    erase(&mut drawing, &mut lines, leaders);
     let none = none_of_it(&drawing, &sure, read);
-    (0..none.len()).filter(|&i| none[i]).for_each(|i| {
-        drawing.ink[i] = false;
-        lines.length[i] = 0;
-    });
+    erase(&mut drawing, &mut lines, none);
     let mut kinds = tell(&drawing, &lines, sure);
     let mut inside = inside::find(&drawing, &kinds.occupied);
     apart::remove(&drawing, read.symbols, &mut kinds.occupied, &mut inside);
@@ -104,6 +106,14 @@ pub fn find(
     let thickness = thickness(&drawing, &kinds) * factor;
     let confidence = confidence(&occupied, &inside);
     Walls { occupied, inside, stroke: stroke * factor, thickness, metres_per_pixel, confidence }
+}
+
+/// Takes ink away that is no wall.
+fn erase(drawing: &mut Drawing, lines: &mut Straight, gone: Vec<bool>) {
+    (0..gone.len()).filter(|&i| gone[i]).for_each(|i| {
+        drawing.ink[i] = false;
+        lines.length[i] = 0;
+    });
 }
 
 /// What is wall whatever it parts: solid ink, bands and windows, but no doors.
