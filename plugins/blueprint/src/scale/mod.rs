@@ -88,7 +88,8 @@ pub fn drawn(drawn: &Drawn<'_>, dpi: Option<f64>) -> Vec<Estimate> {
     let ways = [
         paper::written(&measures, dpi),
         bar.map(|a| estimate(&a, "scale bar", 0.9)),
-        dimensions.map(|a| estimate(&a, &counted(a.count, "dimension line"), by_count(&a))),
+        dimensions
+            .map(|a| estimate(&a, &counted(a.count, "dimension line", "dimension lines"), by_count(&a))),
     ];
     ways.into_iter().flatten().collect()
 }
@@ -97,8 +98,13 @@ pub fn drawn(drawn: &Drawn<'_>, dpi: Option<f64>) -> Vec<Estimate> {
 pub fn built(texts: &[SheetText], built: &Built<'_>) -> Vec<Estimate> {
     let measured = areas::measurements(&measures(texts), built.occupied, built.inside, built.symbols);
     let rooms = agreement(&measured);
-    let rooms =
-        rooms.map(|a| estimate(&a, &counted(a.count, "area or size written in a room"), by_count(&a)));
+    let rooms = rooms.map(|a| {
+        estimate(
+            &a,
+            &counted(a.count, "area or size written in a room", "areas or sizes written in rooms"),
+            by_count(&a),
+        )
+    });
     rooms.into_iter().chain(doors::estimate(built.symbols)).collect()
 }
 
@@ -145,8 +151,8 @@ fn estimate(agreed: &Agreement, source: &str, confidence: f64) -> Estimate {
     Estimate { metres_per_pixel: agreed.value, source: source.into(), confidence }
 }
 
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} of {what}") }
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// One measurement may be anything; three that agree are no chance.

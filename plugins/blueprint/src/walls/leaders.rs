@@ -14,6 +14,10 @@ const LEAST: f64 = 0.8;
 /// and ends within so many heights of the word.
 const BESIDE: f64 = 1.5;
 
+/// Where so many lines of this length, metres, begin at dots, they are leaders though their words were not read.
+const CUSTOM: usize = 6;
+const LONG: f64 = 2.0;
+
 /// Places around a dot at which lines are looked for.
 const AROUND: usize = 72;
 
@@ -29,13 +33,15 @@ pub fn ink(drawing: &Drawing, solid: &[bool], stroke: f64, texts: &[SheetText]) 
     let mut out = vec![false; drawing.ink.len()];
     let dots = components::find(solid, drawing.width, Neighbours::Eight);
     let largest = (DOT[0] * drawing.metre).max(DOT[1]);
-    for dot in dots.all.iter().skip(1).filter(|d| diameter(d) <= largest) {
-        let from = middle(dot);
-        let leader = leader(drawing, from, diameter(dot) / 2.0 + 2.0);
-        if let Some(to) = leader.filter(|to| texts.iter().any(|t| is_beside(drawing, t, *to))) {
-            mark(drawing, [from, to], stroke, &mut out);
-        }
+    let dots = dots.all.iter().skip(1).filter(|d| diameter(d) <= largest);
+    let lines = dots.filter_map(|d| Some([middle(d), leader(drawing, middle(d), diameter(d) / 2.0 + 2.0)?]));
+    let (mut leaders, mut others): (Vec<_>, Vec<_>) =
+        lines.partition(|[_, to]| texts.iter().any(|t| is_beside(drawing, t, *to)));
+    others.retain(|[a, b]| (b[0] - a[0]).hypot(b[1] - a[1]) >= LONG * drawing.metre);
+    if others.len() >= CUSTOM {
+        leaders.append(&mut others);
     }
+    leaders.iter().for_each(|line| mark(drawing, *line, stroke, &mut out));
     out
 }
 
@@ -146,6 +152,21 @@ mod tests {
         let leader = found(175.0, false);
         assert!(leader[30 * 240 + 70] && leader[30 * 240 + 145]);
         assert!(!leader[10 * 240 + 100]);
+    }
+
+    #[test]
+    fn many_long_lines_with_dots_are_leaders_though_nothing_is_read() {
+        let marked = |rows: usize| {
+            let mut ink = Mask::empty(240, 20 * rows as u32);
+            let mut solid = vec![false; ink.set.len()];
+            for row in (0..rows).map(|r| 20 * r + 10) {
+                (58..63).for_each(|x| (row - 2..row + 3).for_each(|y| solid[y * 240 + x] = true));
+                (60..160).for_each(|x| ink.set[row * 240 + x] = true);
+            }
+            ink.set.iter_mut().zip(&solid).for_each(|(i, s)| *i |= s);
+            super::ink(&Drawing::of_sheet(&ink, 0.03), &solid, 1.0, &[]).contains(&true)
+        };
+        assert!(marked(CUSTOM) && !marked(CUSTOM - 1));
     }
 
     #[test]
