@@ -2,6 +2,7 @@
 
 use super::directions::{difference, line_angle};
 use super::openings::Gap;
+use super::shown::from_corner;
 use planform_sdk::{OpeningKind, Point, Scene, Segment, Symbol};
 
 /// A door is wider than this, metres; what is drawn smaller is none.
@@ -33,11 +34,9 @@ pub fn of_scene(scene: &Scene) -> Vec<Door> {
 
 fn door(scene: &Scene, symbol: &Symbol) -> Option<Door> {
     let (sin, cos) = symbol.pose.yaw.sin_cos();
-    let resolution = scene.grid.resolution();
     let end = |sense: f64| {
         let half = sense * symbol.width / 2.0;
-        let cells = scene.grid.to_cells(Point::new(symbol.pose.x + half * cos, symbol.pose.y + half * sin));
-        Point::new(cells.x * resolution, cells.y * resolution)
+        from_corner(scene, Point::new(symbol.pose.x + half * cos, symbol.pose.y + half * sin))
     };
     let segment = Segment::new(end(-1.0), end(1.0));
     let width = LEAST_WIDTH..MOST_WIDTH;

@@ -45,7 +45,7 @@ pub fn of_room(texts: &[Text], floor: &Polygon) -> Called {
 }
 
 /// Whether a text was read well enough and says anything.
-fn is_said(text: &Text) -> bool {
+pub fn is_said(text: &Text) -> bool {
     text.confidence >= LEAST_CONFIDENCE && text.content.contains(char::is_alphanumeric)
 }
 

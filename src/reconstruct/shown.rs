@@ -1,11 +1,8 @@
 //! What a document itself shows of rooms: doors, and where something is written. Robots' maps show neither.
 
 use super::doors::{self, Door};
-use super::measures;
+use super::{measures, names};
 use planform_sdk::{Point, Scene, Text};
-
-/// A text that was read with less confidence calls no room anything.
-const LEAST_CONFIDENCE: f64 = 0.5;
 
 /// What is known of a scene's rooms, metres from the grid's corner.
 #[derive(Debug, Clone, Default)]
@@ -19,18 +16,23 @@ pub struct Shown {
 impl Shown {
     /// What a scene shows.
     pub fn of_scene(scene: &Scene) -> Self {
-        let labels = scene.texts.iter().filter(|t| is_label(t)).map(|t| place(scene, t)).collect();
+        let labels = scene
+            .texts
+            .iter()
+            .filter(|t| is_label(t))
+            .map(|t| from_corner(scene, Point::new(t.pose.x, t.pose.y)))
+            .collect();
         Self { doors: doors::of_scene(scene), labels }
     }
 }
 
 fn is_label(text: &Text) -> bool {
-    text.confidence >= LEAST_CONFIDENCE && measures::part(&text.content).words.contains(char::is_alphanumeric)
+    names::is_said(text) && measures::part(&text.content).words.contains(char::is_alphanumeric)
 }
 
-fn place(scene: &Scene, text: &Text) -> Point {
-    let resolution = scene.grid.resolution();
-    let cells = scene.grid.to_cells(Point::new(text.pose.x, text.pose.y));
+/// Where a point of the map frame lies, metres from the grid's corner.
+pub fn from_corner(scene: &Scene, point: Point) -> Point {
+    let (cells, resolution) = (scene.grid.to_cells(point), scene.grid.resolution());
     Point::new(cells.x * resolution, cells.y * resolution)
 }
 

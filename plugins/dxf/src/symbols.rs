@@ -6,12 +6,6 @@ use crate::entity::{Entity, Shape, Value};
 use crate::layer::Layer;
 use planform_sdk::{DoorLeaf, Fitting, Layout, Point, Segment, Symbol};
 
-/// Depth of a step, metres.
-const TREAD: f64 = 0.28;
-/// The most steps drawn in a flight: more are a blur, or no stairs.
-const MOST_STEPS: f64 = 100.0;
-/// The two lines of a window are this share of the wall's thickness apart.
-const GLASS: f64 = 0.3;
 /// A leaf that turns by less, radians, is not seen to do so; and an arc without a sweep would be a circle.
 const LEAST_SWING: f64 = 1e-3;
 
@@ -69,15 +63,15 @@ fn leaf(number: u32, leaf: &DoorLeaf) -> Vec<Entity> {
 /// Two thin lines, closed at their ends, and the jambs; the wall's faces go on along the window.
 fn window(number: u32, symbol: &Symbol, fitting: &Fitting) -> Vec<Entity> {
     let layer = Layer::Window;
-    let Fitting { segment: Segment { a, b }, thickness, .. } = *fitting;
-    let (sin, cos) = fitting.segment.angle().sin_cos();
-    let beside = |p: Point, left: f64| Point::new(p.x - left * thickness * sin, p.y + left * thickness * cos);
-    let pane = [(a, -GLASS), (b, -GLASS), (b, GLASS), (a, GLASS)].map(|(p, side)| beside(p, side / 2.0));
-    let jamb = |p: Point| {
-        let shape = Shape::Line(Segment::new(beside(p, -0.5), beside(p, 0.5)));
+    let [right, near, far, left] = fitting.lines();
+    let pane = vec![near.a, near.b, far.b, far.a];
+    let jamb = |from: Point, to: Point| {
+        let shape = Shape::Line(Segment::new(from, to));
         Entity { layer, shape, data: part("jamb", number) }
     };
-    vec![Entity { layer, shape: Shape::Ring(pane.into()), data: data(number, symbol) }, jamb(a), jamb(b)]
+    let jambs = [jamb(right.a, left.a), jamb(right.b, left.b)];
+    let pane = Entity { layer, shape: Shape::Ring(pane), data: data(number, symbol) };
+    std::iter::once(pane).chain(jambs).collect()
 }
 
 /// A flight's outline, and a line for each step.
@@ -89,7 +83,7 @@ fn stairs(number: u32, symbol: &Symbol) -> Vec<Entity> {
         Point::new(symbol.pose.x + u * cos - v * sin, symbol.pose.y + u * sin + v * cos)
     };
     let outline = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)].map(|(u, v)| at(u, v));
-    let count = (symbol.width / TREAD).round().clamp(1.0, MOST_STEPS) as u32;
+    let count = symbol.steps();
     let step = |i: u32| {
         let along = f64::from(i) / f64::from(count) - 0.5;
         let shape = Shape::Line(Segment::new(at(along, -0.5), at(along, 0.5)));

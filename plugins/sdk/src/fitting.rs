@@ -22,6 +22,22 @@ pub struct Fitting {
     pub opening: Option<usize>,
 }
 
+/// The two lines of a window are this share of the wall's thickness apart.
+const GLASS: f64 = 0.3;
+
+impl Fitting {
+    /// The wall's faces and between them the two lines of a window's glass, each from jamb to jamb, from the right of the
+    /// segment to its left.
+    pub fn lines(&self) -> [Segment; 4] {
+        let (sin, cos) = self.segment.angle().sin_cos();
+        [-0.5, -GLASS / 2.0, GLASS / 2.0, 0.5].map(|share| {
+            let left = share * self.thickness;
+            let moved = |p: Point| Point::new(p.x - left * sin, p.y + left * cos);
+            Segment::new(moved(self.segment.a), moved(self.segment.b))
+        })
+    }
+}
+
 impl Layout {
     /// Where the door or the window that a symbol shows stands: in its wall, or where the document has it if the layout
     /// has no wall there. `None` for all other symbols.

@@ -40,5 +40,5 @@ pub use layout::{
     RoomId, RoomState, Wall,
 };
 pub use options::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
-pub use scene::{Annotations, DoorLeaf, GeoAnchor, Provenance, Scale, Scene, Symbol, Text};
+pub use scene::{Annotations, DOOR_KINDS, DoorLeaf, GeoAnchor, Provenance, Scale, Scene, Symbol, Text};
 pub use watch::{Picture, ReadWatcher};

@@ -109,10 +109,24 @@ pub struct Symbol {
     pub leaves: Vec<DoorLeaf>,
 }
 
+/// Depth of a step, metres.
+const TREAD: f64 = 0.28;
+
+/// The most steps of a flight: more are a blur, or no stairs.
+const MOST_STEPS: f64 = 100.0;
+
+/// The kinds of symbols that are doors.
+pub const DOOR_KINDS: [&str; 3] = ["door", "double-door", "sliding-door"];
+
 impl Symbol {
     /// Whether it is a door.
     pub fn is_door(&self) -> bool {
-        matches!(self.kind.as_str(), "door" | "double-door" | "sliding-door")
+        DOOR_KINDS.contains(&self.kind.as_str())
+    }
+
+    /// How many steps a flight of this length has, as it is drawn: at least 1, at most 100.
+    pub fn steps(&self) -> u32 {
+        (self.width / TREAD).round().clamp(1.0, MOST_STEPS) as u32
     }
 
     /// Whether it is a window.

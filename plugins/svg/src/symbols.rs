@@ -8,15 +8,6 @@ use std::collections::BTreeSet;
 use svg::node::Blob;
 use svg::node::element::{Group, Path, Use};
 
-/// Depth of a step, metres.
-const TREAD: f64 = 0.28;
-
-/// The most steps drawn in a flight: more are a blur, or no stairs.
-const MOST_STEPS: f64 = 100.0;
-
-/// The two lines of a window are this share of the wall's thickness apart.
-const GLASS: f64 = 0.3;
-
 /// A symbol with its number, from 1, in the order of the layout.
 type Numbered<'a> = (usize, &'a Symbol);
 
@@ -72,19 +63,9 @@ pub fn windows(layout: &Layout, sheet: &Sheet) -> Group {
 
 fn window(group: Group, fitting: &Fitting, sheet: &Sheet) -> Group {
     let Fitting { segment, thickness, wall, .. } = fitting;
-    let lines: String = [-0.5, -GLASS / 2.0, GLASS / 2.0, 0.5]
-        .map(|share| beside(segment, share * thickness))
-        .map(|line| sheet.path(&[line.a, line.b], false))
-        .concat();
+    let lines = fitting.lines().map(|line| sheet.path(&[line.a, line.b], false)).concat();
     let group = if wall.is_some() { cut_out(group, segment, *thickness, sheet) } else { group };
     group.add(Path::new().set("class", "glass").set("d", lines))
-}
-
-/// The segment, moved to its left by so much.
-fn beside(segment: &Segment, left: f64) -> Segment {
-    let (sin, cos) = segment.angle().sin_cos();
-    let moved = |p: Point| Point::new(p.x - left * sin, p.y + left * cos);
-    Segment::new(moved(segment.a), moved(segment.b))
 }
 
 /// The layer `symbols`: all that stands in no wall.
@@ -140,9 +121,9 @@ fn placed(symbol: &Symbol, sheet: &Sheet) -> Use {
 /// A flight's outline, and a line across it for each step.
 fn steps(symbol: &Symbol, sheet: &Sheet) -> String {
     let [a, b, c, d] = corners(&symbol.pose, symbol.width, symbol.height);
-    let count = (symbol.width / TREAD).round().clamp(1.0, MOST_STEPS) as usize;
-    let part = |p: Point, q: Point, i: usize| {
-        let share = i as f64 / count as f64;
+    let count = symbol.steps();
+    let part = |p: Point, q: Point, i: u32| {
+        let share = f64::from(i) / f64::from(count);
         Point::new(p.x + share * (q.x - p.x), p.y + share * (q.y - p.y))
     };
     let lines = (1..count).map(|i| sheet.path(&[part(a, b, i), part(d, c, i)], false));

@@ -9,8 +9,6 @@ use crate::found::SheetSymbol;
 use crate::mask::Mask;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Metres per pixel of the plane at most: a line is then a few centimetres wide.
-const FINE: f64 = 0.018;
 /// A region narrower than this is a line's own inside, and none is longer, metres.
 const SIDES: [f64; 2] = [0.07, 1.0];
 /// The middles of two regions of one thing are no farther apart, metres.
@@ -37,9 +35,7 @@ type Frame = [f64; 4];
 
 /// All basins and toilets, and what draws them. `pixel` is metres per pixel of the ink.
 pub fn find(ink: &Mask, pixel: f64, erase: &mut Mask) -> Vec<SheetSymbol> {
-    let factor = ((FINE / pixel).floor() as u32).max(1);
-    let mut plane = Plane::new(ink, factor);
-    let own = pixel * f64::from(factor);
+    let (mut plane, own) = Plane::close(ink, pixel);
     let mut found: Vec<SheetSymbol> = Vec::new();
     // Lines may have gaps: what is not closed may be so where they are drawn wider.
     for wider in 0..=((WIDER / own) as u32).clamp(1, 2) {
@@ -49,7 +45,7 @@ pub fn find(ink: &Mask, pixel: f64, erase: &mut Mask) -> Vec<SheetSymbol> {
         search(&plane, own, &mut found);
     }
     for symbol in &mut found {
-        *symbol = scaled(symbol.clone(), f64::from(factor));
+        *symbol = scaled(symbol.clone(), f64::from(plane.factor));
         erase_inside(ink, &Box2::of(symbol).grown([0.02 / pixel; 2]), erase);
     }
     found

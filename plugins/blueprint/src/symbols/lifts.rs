@@ -1,5 +1,6 @@
 //! Lifts: a rectangle with both diagonals.
 
+use super::near::Near;
 use super::plane::{Plane, Vec2, direction, distance, dot};
 use super::shapes::{Box2, erase_inside};
 use super::strokes::Segment;
@@ -22,8 +23,9 @@ pub fn find(
     let diagonal = |s: &&Segment| (SIDES[0] * 1.4..=SIDES[1] * 1.5).contains(&(s.length() * pixel));
     let diagonals: Vec<&Segment> = segments.iter().filter(diagonal).collect();
     let mut found = Vec::new();
+    let near = Near::of(diagonals.iter().map(|d| d.middle()), together(SIDES[1] * 1.5 / pixel));
     for (i, a) in diagonals.iter().enumerate() {
-        for b in &diagonals[i + 1..] {
+        for b in near.around(a.middle()).into_iter().filter(|&k| k > i).map(|k| diagonals[k]) {
             if let Some(area) = cabin(plane, a, b, pixel) {
                 erase_inside(ink, &area.grown([-2.0 * f64::from(plane.factor); 2]), erase);
                 found.push(area.symbol("lift", 0.9));
@@ -33,11 +35,16 @@ pub fn find(
     found
 }
 
+/// The middles of two diagonals of this length are closer to each other.
+fn together(long: f64) -> f64 {
+    0.06 * long + 1.0
+}
+
 /// The rectangle whose diagonals these are, on the sheet.
 fn cabin(plane: &Plane, a: &Segment, b: &Segment, pixel: f64) -> Option<Box2> {
     let (long, short) = (a.length().max(b.length()), a.length().min(b.length()));
-    let together = distance(a.middle(), b.middle()) < 0.06 * long + 1.0 && short > 0.88 * long;
-    if !together || dot(a.along(), b.along()).abs() > 0.9 {
+    let crossed = distance(a.middle(), b.middle()) < together(long) && short > 0.88 * long;
+    if !crossed || dot(a.along(), b.along()).abs() > 0.9 {
         return None;
     }
     let corners = [a.a, b.a, a.b, b.b];

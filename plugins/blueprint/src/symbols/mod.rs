@@ -128,7 +128,7 @@ fn drawn_to_scale(
     let close = Close::new(ink, pixel);
     lifts.extend(lifts::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase));
     let sliding = sliding::find(&close.plane, ink, &close.segments, close.pixel, &mut found.erase);
-    let mut panes = panes::find(sheet, ink, pixel);
+    let mut panes = panes::find(sheet, &close.plane, close.pixel);
     // The box of an open leaf, a lift's double outline and the space between two steps are no windows.
     let around = |s: &SheetSymbol| Box2::of(s).grown([0.2 / pixel; 2]);
     panes.retain(|w| {
@@ -166,16 +166,12 @@ struct Close {
     pixel: f64,
 }
 
-/// Metres per pixel at most.
-const CLOSE: f64 = 0.018;
-
 impl Close {
     fn new(ink: &Mask, pixel: f64) -> Self {
-        let factor = ((CLOSE / pixel).floor() as u32).max(1);
-        let plane = Plane::new(ink, factor);
+        let (plane, pixel) = Plane::close(ink, pixel);
         let parts = strokes::parts(&thin::chains(&plane.mask, WIDEST_STROKE));
         let segments = strokes::segments(&parts, 5.0);
-        Self { plane, segments, pixel: pixel * f64::from(factor) }
+        Self { plane, segments, pixel }
     }
 }
 

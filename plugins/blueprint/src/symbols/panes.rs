@@ -6,11 +6,8 @@ use super::plane::{Plane, Vec2};
 use super::regions::{Region, regions};
 use super::shapes::Box2;
 use crate::found::SheetSymbol;
-use crate::mask::Mask;
 use crate::sheet::Sheet;
 
-/// Metres per pixel of the plane at most.
-const FINE: f64 = 0.018;
 /// Where pixels are larger than this, metres, the faces of a wall are too close to tell its inside from panes.
 const COARSEST: f64 = 0.03;
 /// Length of a window, metres.
@@ -26,20 +23,17 @@ const INSET: f64 = 0.14;
 /// A wall's filling or hatching is darker than a window by this much of 255.
 const LIGHTER: f64 = 12.0;
 
-/// All windows of the ink; `pixel` is metres per pixel of the sheet.
-pub fn find(sheet: &Sheet, ink: &Mask, pixel: f64) -> Vec<SheetSymbol> {
-    if pixel > COARSEST {
+/// All windows of the plane; `own` is metres per pixel of it.
+pub fn find(sheet: &Sheet, plane: &Plane, own: f64) -> Vec<SheetSymbol> {
+    if own > COARSEST {
         return Vec::new();
     }
-    let factor = ((FINE / pixel).floor() as u32).max(1);
-    let plane = Plane::new(ink, factor);
-    let own = pixel * f64::from(factor);
-    let mut boxes = regions(&plane, 1.0, LENGTH[1] / own);
+    let mut boxes = regions(plane, 1.0, LENGTH[1] / own);
     boxes.retain(|r| {
         let [w, h] = r.size().map(|s| s * own);
         w.max(h) >= LENGTH[0] && w.min(h) <= DEPTH[1] && w.max(h) > 1.3 * w.min(h) && r.fullness() >= FULL
     });
-    let search = Search { sheet, plane: &plane, pixel: own };
+    let search = Search { sheet, plane, pixel: own };
     let near = Near::of(boxes.iter().map(Region::middle), DEPTH[1] / own);
     let mut taken = vec![false; boxes.len()];
     let mut found = Vec::new();
@@ -51,7 +45,7 @@ pub fn find(sheet: &Sheet, ink: &Mask, pixel: f64) -> Vec<SheetSymbol> {
         stack.iter().for_each(|&k| taken[k] = true);
         let panes = Panes::of(&boxes, &stack);
         if search.is_window(&panes) {
-            found.push(panes.area(f64::from(factor)).symbol("window", 0.8));
+            found.push(panes.area(f64::from(plane.factor)).symbol("window", 0.8));
         }
     }
     found

@@ -12,10 +12,21 @@ pub struct Plane {
     pub factor: u32,
 }
 
+/// Metres per pixel at most for what is drawn small: a line is then a few centimetres wide, and lines that run side by
+/// side stay apart.
+const CLOSE: f64 = 0.018;
+
 /// A point or a vector: x to the right, y down.
 pub type Vec2 = [f64; 2];
 
 impl Plane {
+    /// The ink with pixels of at most [`CLOSE`], which `pixel` metres of the sheet are merged to, and metres per pixel of
+    /// the plane.
+    pub fn close(ink: &Mask, pixel: f64) -> (Self, f64) {
+        let factor = ((CLOSE / pixel).floor() as u32).max(1);
+        (Self::new(ink, factor), pixel * f64::from(factor))
+    }
+
     /// The ink, coarser by this factor.
     pub fn new(ink: &Mask, factor: u32) -> Self {
         if factor <= 1 {

@@ -3,7 +3,7 @@
 use super::components::{self, Extent, Neighbours};
 use super::drawing::Drawing;
 use crate::found::SheetText;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// A dot is no larger than this, metres, or than so many pixels.
 const DOT: [f64; 2] = [0.35, 4.0];
@@ -75,7 +75,7 @@ fn only_line(drawing: &Drawing, from: [f64; 2], radius: f64) -> Option<f64> {
     let first = begins.next().filter(|_| begins.next().is_none())?;
     let count = (first..first + AROUND).take_while(|&k| is_ink(k)).count();
     let width = count as f64 * TAU / AROUND as f64;
-    (width < THIN.min(PI)).then(|| angle(first) + (width - TAU / AROUND as f64) / 2.0)
+    (width < THIN).then(|| angle(first) + (width - TAU / AROUND as f64) / 2.0)
 }
 
 /// How far ink goes on in a direction.

@@ -41,8 +41,8 @@ pub fn bands(drawing: &Drawing, lines: &Straight, openings: &[bool], texts: &[Sh
     let may = |i: usize| !drawing.ink[i] || is_hatch(i);
     let narrow: Vec<bool> = (0..tight.len()).map(|i| openings[i] || tight[i] && may(i)).collect();
     let apart: Vec<bool> = (0..tight.len()).map(|i| openings[i] || narrow[i] && !block[i]).collect();
-    let sheet = Sheet { drawing, lines, block: &block, texts };
-    let (whole, rest) = (sheet.long(&narrow), sheet.long(&apart));
+    let judge = Judge { drawing, lines, block: &block, texts };
+    let (whole, rest) = (judge.long(&narrow), judge.long(&apart));
     whole.into_iter().zip(rest).map(|(w, r)| w || r).collect()
 }
 
@@ -90,14 +90,14 @@ impl Piece {
 }
 
 /// What pieces are judged by.
-struct Sheet<'a> {
+struct Judge<'a> {
     drawing: &'a Drawing,
     lines: &'a Straight,
     block: &'a [bool],
     texts: &'a [SheetText],
 }
 
-impl Sheet<'_> {
+impl Judge<'_> {
     /// What hangs together in long pieces between lines that are no blocks, and that nothing is written in.
     fn long(&self, set: &[bool]) -> Vec<bool> {
         let found = components::find(set, self.drawing.width, Neighbours::Four);

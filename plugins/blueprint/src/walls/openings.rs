@@ -2,12 +2,10 @@
 
 use super::drawing::Drawing;
 use crate::found::SheetSymbol;
+use planform_sdk::DOOR_KINDS;
 
 /// Of a door's opening so much is cleared, so that the jambs stay.
 const CLEARED: f64 = 0.9;
-
-/// The kinds of symbols that are doors.
-const DOORS: [&str; 3] = ["door", "double-door", "sliding-door"];
 
 /// The pixels of the openings of all doors.
 pub fn doors(drawing: &Drawing, symbols: &[SheetSymbol]) -> Vec<bool> {
@@ -34,7 +32,7 @@ pub fn is_opening(symbol: &SheetSymbol) -> bool {
 
 /// Whether a symbol is a door.
 pub fn is_door(symbol: &SheetSymbol) -> bool {
-    DOORS.contains(&symbol.kind.as_str())
+    DOOR_KINDS.contains(&symbol.kind.as_str())
 }
 
 /// Sets the pixels of a symbol's rectangle of this width, at least two pixels thick so that it has no leak.

@@ -75,15 +75,9 @@ fn banner(colour: &RgbImage, bounds: Bounds) -> Banner {
 }
 
 fn median(grey: &GrayImage) -> u8 {
-    let mut counts = [0usize; 256];
-    grey.iter().for_each(|&v| counts[usize::from(v)] += 1);
-    let half = grey.len() / 2;
-    let mut sum = 0;
-    let middle = counts.iter().position(|c| {
-        sum += c;
-        sum > half
-    });
-    middle.unwrap_or(255) as u8
+    let mut tones = grey.as_raw().clone();
+    let half = tones.len() / 2;
+    if tones.is_empty() { 255 } else { *tones.select_nth_unstable(half).1 }
 }
 
 /// What is dark, without what reaches the sides: the paper around a band that is not quite level.

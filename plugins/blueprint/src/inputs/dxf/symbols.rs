@@ -3,6 +3,7 @@
 use super::plane::{Map, Point, distance};
 use super::shapes::Shape;
 use super::unfold::Insertion;
+use planform_sdk::DOOR_KINDS;
 
 /// Words in names of blocks, and what these are; the first that fits counts.
 const KINDS: [(&str, &[&str]); 15] = [
@@ -132,7 +133,7 @@ fn boxed(kind: &'static str, insertion: &Insertion) -> Option<Placed> {
     let (width, height) = (along[0].hypot(along[1]), across[0].hypot(across[1]));
     let sound = centre.iter().chain([&width, &height]).all(|v| v.is_finite()) && width.max(height) > 0.0;
     // Openings lie along the wall, which is their longer side.
-    let turned = matches!(kind, "window" | "door" | "double-door" | "sliding-door") && height > width;
+    let turned = (kind == "window" || DOOR_KINDS.contains(&kind)) && height > width;
     let (direction, width, height) = if turned { (across, height, width) } else { (along, width, height) };
     let angle = direction[1].atan2(direction[0]);
     sound.then_some(Placed { kind, centre, angle, width, height, leaves: vec![] })
