@@ -20,9 +20,11 @@ pub struct Extent {
 }
 
 impl Extent {
-    const NOTHING: Self = Self { area: 0, low: [usize::MAX; 2], high: [0; 2] };
+    /// No pixel.
+    pub const NOTHING: Self = Self { area: 0, low: [usize::MAX; 2], high: [0; 2] };
 
-    fn add(&mut self, x: usize, y: usize) {
+    /// Covers one pixel more.
+    pub fn add(&mut self, x: usize, y: usize) {
         self.area += 1;
         self.low = [self.low[0].min(x), self.low[1].min(y)];
         self.high = [self.high[0].max(x), self.high[1].max(y)];

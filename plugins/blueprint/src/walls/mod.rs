@@ -5,8 +5,8 @@
 //! (`bridges`), so that ink and walls enclose faces (`faces`); faces that are too small for a room, and those with more
 //! gap than line between them, become one with the face beside (`merge`), for they are furniture, stairs, hatching. A
 //! line that still has different rooms on its two sides is a wall, all others are not, nor are lines from words to dots
-//! (`leaders`), or lines that run through an outer wall (`leaving`) or lie beyond it (`beyond`). What walls enclose is the
-//! building (`inside`).
+//! (`leaders`), or lines that run through an outer wall (`leaving`) or lie beyond it (`beyond`), nor is what stands alone
+//! (`standing`). What walls enclose is the building (`inside`).
 
 mod apart;
 mod beyond;
@@ -24,6 +24,7 @@ mod narrow;
 mod openings;
 mod picture;
 mod scale;
+mod standing;
 mod straight;
 mod stroke;
 mod tracks;
@@ -99,6 +100,7 @@ pub fn find(
     let mut kinds = tell(&drawing, &lines, sure);
     let mut inside = inside::find(&drawing, &kinds.occupied);
     apart::remove(&drawing, read.symbols, &mut kinds.occupied, &mut inside);
+    standing::remove(&drawing, &inside, &openings::all(&drawing, read.symbols), &mut kinds.occupied);
     let inside = drawing.on_sheet(&inside, ink);
     let occupied = drawing.on_sheet(&kinds.occupied, ink);
     stages.stage("walls", &mut || picture::of(&sheet.colour, &drawing, &kinds, &inside));

@@ -25,6 +25,15 @@ pub fn windows(drawing: &Drawing, symbols: &[SheetSymbol]) -> Vec<bool> {
     out
 }
 
+/// The pixels of all doors and windows, from jamb to jamb.
+pub fn all(drawing: &Drawing, symbols: &[SheetSymbol]) -> Vec<bool> {
+    let mut out = windows(drawing, symbols);
+    for door in symbols.iter().filter(|s| is_door(s)) {
+        rectangle(drawing, door, door.width, &mut out);
+    }
+    out
+}
+
 /// Whether a symbol is a door or a window.
 pub fn is_opening(symbol: &SheetSymbol) -> bool {
     is_door(symbol) || symbol.kind == "window"
