@@ -20,7 +20,9 @@ Examples:
   planform convert map.yaml -o rooms.svg -o rooms.dxf -o rooms.geojson
       the same in three formats at once
   planform convert scan.png --resolution 0.05 -o rooms.dxf
-      a bare picture whose pixels are 5 cm wide
+      a robot's map as a bare picture whose pixels are 5 cm wide
+  planform convert plan.pdf --set scale=1:100 -o rooms.dxf
+      the plan of a floor, drawn at 1:100; without that, the plan itself is asked
   planform convert map.yaml -o rooms.geojson --anchor 48.1374,11.5755,12
       put the rooms on the Earth
   cat map.pgm | planform convert - --resolution 0.05 -o - --to svg > rooms.svg

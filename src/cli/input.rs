@@ -20,7 +20,7 @@ pub struct InputArgs {
     /// them
     #[arg(long = "set", value_name = "NAME=VALUE")]
     set: Vec<Setting>,
-    /// Metres per cell, for documents that do not say: short for `--set resolution=M`
+    /// Metres per cell of a map or per pixel of a plan, for documents that do not say: short for `--set resolution=M`
     #[arg(long, value_name = "M", allow_negative_numbers = true)]
     resolution: Option<String>,
     /// Where the map lies on the Earth: latitude and longitude of its origin in degrees and the direction of its y

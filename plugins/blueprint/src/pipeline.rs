@@ -4,9 +4,9 @@ use crate::found::{SheetSymbol, SheetText};
 use crate::mask::Mask;
 use crate::options::Request;
 use crate::page::Page;
-use crate::scale::{self, Built, Drawn, Estimate};
+use crate::scale::{self, Built, Drawn, Estimate, doubt};
 use crate::sheet::Sheet;
-use crate::stages::Stages;
+use crate::stages::{Stages, Unwatched};
 use crate::symbols::{self, Library, Symbols};
 use crate::walls::{self, Walls};
 use crate::words::{self, Words};
@@ -39,13 +39,13 @@ pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<R
     let said = scale::said(request, page)?;
     let sheet = prepare::sheet(page, stages);
     let words = read_words(page, &sheet, request, stages)?;
-    let dpi = scale::dpi(request, page);
+    let resolution = scale::resolution(request, page);
     let ink = sheet.ink.clone().without(&words.erase);
     let lines = ink.clone().with(&sheet.aside).without(&words.erase);
     let mut estimates: Vec<Estimate> = said.into_iter().collect();
-    estimates.extend(scale::drawn(&Drawn { texts: &words.texts, lines: &lines }, dpi));
+    estimates.extend(scale::drawn(&Drawn { texts: &words.texts, lines: &lines }, resolution));
     drop(lines);
-    let mut symbols = symbols::find(&sheet, &ink, &library, good(&estimates), stages);
+    let (mut symbols, refuted) = find_symbols(&sheet, &ink, &library, &mut estimates, stages);
     symbols.symbols.iter_mut().for_each(doorways::straighten);
     symbols.symbols.extend(page.symbols.iter().map(|s| symbol_on_sheet(&sheet, s)));
     let ink = ink.without(&symbols.erase);
@@ -53,14 +53,15 @@ pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<R
     let guess = good(&estimates).or_else(by_doors);
     let read = walls::Read { texts: &words.texts, symbols: &symbols.symbols };
     let walls = walls::find(&ink, &sheet, read, guess, stages);
-    if walls.occupied.count() == 0 || walls.inside.count() == 0 {
+    if !shows_walls(&walls) {
         return Err(no_walls());
     }
     symbols.symbols.retain(|s| belongs(s, &walls.inside));
     let built = Built { occupied: &walls.occupied, inside: &walls.inside, symbols: &symbols.symbols };
     estimates.extend(scale::built(&words.texts, &built));
     let (scale, doubts) = decide(&estimates, &walls);
-    let warnings = [page.warnings.clone(), words.warnings.clone(), doubts].concat();
+    let size = scale::size::doubt(&walls.inside, &scale).into_iter().collect();
+    let warnings = [page.warnings.clone(), words.warnings.clone(), refuted, doubts, size].concat();
     let reading = Reading { sheet, words, symbols, walls, scale, warnings };
     stages.stage("found", &mut || overlay::picture(&reading));
     Ok(reading)
@@ -86,13 +87,45 @@ fn library(request: &Request) -> Result<Library, PluginError> {
 
 /// The scale that the symbols may rely on.
 fn good(estimates: &[Estimate]) -> Option<f64> {
-    scale::choose(estimates).filter(|e| e.confidence >= 0.5).map(|e| e.metres_per_pixel)
+    scale::good(estimates).map(|e| e.metres_per_pixel)
+}
+
+/// The symbols by the scale that is written; and without it, with a sentence that says so, if it proves wrong.
+fn find_symbols(
+    sheet: &Sheet,
+    ink: &Mask,
+    library: &Library,
+    estimates: &mut [Estimate],
+    stages: &mut dyn Stages,
+) -> (Symbols, Vec<String>) {
+    let found = symbols::find(sheet, ink, library, good(estimates), stages);
+    let chosen = estimates.iter_mut().find(|e| e.confidence >= scale::GOOD);
+    let Some(chosen) = chosen.filter(|c| doubt::is_doubtful(c, &found.symbols)) else {
+        return (found, Vec::new());
+    };
+    let without = symbols::find(sheet, ink, library, None, &mut Unwatched);
+    match doubt::refute(chosen, &found.symbols, &without.symbols) {
+        Some(sentence) => (without, vec![sentence]),
+        None => (found, Vec::new()),
+    }
+}
+
+/// Floor covers at least this share of the sheet.
+const FLOOR: f64 = 0.002;
+
+/// Of the walls' outline at least this share is straight.
+const STRAIGHT: f64 = 0.28;
+
+/// Whether what was taken for walls may be some.
+fn shows_walls(walls: &Walls) -> bool {
+    let floor = walls.inside.set.iter().zip(&walls.occupied.set).filter(|(i, o)| **i && !**o).count();
+    floor as f64 > FLOOR * walls.inside.set.len() as f64 && walls.straightness >= STRAIGHT
 }
 
 /// The scale, and what speaks against it.
 fn decide(estimates: &[Estimate], walls: &Walls) -> (Estimate, Vec<String>) {
     match scale::choose(estimates) {
-        Some(chosen) if chosen.confidence >= 0.5 => {
+        Some(chosen) if chosen.confidence >= scale::GOOD => {
             (chosen.clone(), scale::contradictions(chosen, estimates))
         }
         Some(chosen) => (chosen.clone(), vec![unsure(chosen)]),
@@ -121,7 +154,7 @@ fn belongs(symbol: &SheetSymbol, inside: &Mask) -> bool {
 }
 
 fn no_walls() -> PluginError {
-    PluginError::new(ErrorKind::BadInput, "shows no walls: no lines in it enclose a room")
+    PluginError::new(ErrorKind::BadInput, "shows no walls: no straight lines in it enclose a room")
         .advise("is it the plan of a building? A robot's map is read with `--from slam-grid`")
 }
 

@@ -76,7 +76,7 @@ fn otsu(counts: &[u64; 256]) -> u8 {
 }
 
 /// The standard deviation of the paper's tone, from how much its pixels differ from the ones two further on.
-fn noise(grey: &GrayImage) -> f32 {
+pub fn noise(grey: &GrayImage) -> f32 {
     let mut steps = [0u64; 256];
     let paper = |t: u8| t > 200;
     let width = (grey.width() as usize).max(1);

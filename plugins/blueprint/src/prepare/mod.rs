@@ -4,6 +4,7 @@
 mod aside;
 mod clusters;
 mod colour;
+pub mod faint;
 mod ink;
 mod light;
 mod morphology;

@@ -5,7 +5,9 @@ mod bar;
 mod consensus;
 mod dimensions;
 mod doors;
+pub mod doubt;
 mod paper;
+pub mod size;
 mod trace;
 
 use crate::found::{SheetSymbol, SheetText};
@@ -14,6 +16,7 @@ use crate::options::{KnownScale, Request};
 use crate::page::Page;
 use crate::words::measures::{Measure, parse};
 use consensus::{Agreement, agreement};
+pub use paper::Resolution;
 use planform_sdk::PluginError;
 
 /// A scale, where it is from, and how sure it is.
@@ -48,7 +51,7 @@ pub struct Built<'a> {
 }
 
 /// Below this confidence the next way to the scale is tried.
-const GOOD: f64 = 0.5;
+pub const GOOD: f64 = 0.5;
 
 /// Two scales that differ by more than this factor contradict each other.
 const CONTRADICTION: f64 = 1.1;
@@ -66,7 +69,7 @@ pub fn said(request: &Request, page: &Page) -> Result<Option<Estimate>, PluginEr
     Ok(match request.scale {
         KnownScale::MetresPerPixel(metres) => Some(certain(metres, "given")),
         KnownScale::Ratio(ratio) => {
-            Some(certain(paper::given(ratio, dpi(request, page))?, "given as a ratio"))
+            Some(certain(paper::given(ratio, resolution(request, page))?, "given as a ratio"))
         }
         KnownScale::Distance(a, b, metres) => {
             Some(certain(metres / (b[0] - a[0]).hypot(b[1] - a[1]), "given as a distance"))
@@ -76,17 +79,18 @@ pub fn said(request: &Request, page: &Page) -> Result<Option<Estimate>, PluginEr
 }
 
 /// Pixels per inch of paper by what the user says, or else the document, if it means it.
-pub fn dpi(request: &Request, page: &Page) -> Option<f64> {
-    request.dpi.or(page.dpi.filter(|&dpi| paper::is_meant(dpi)))
+pub fn resolution(request: &Request, page: &Page) -> Option<Resolution> {
+    let claimed = || page.dpi.filter(|&dpi| paper::is_meant(dpi)).map(Resolution::Claimed);
+    request.dpi.map(Resolution::Said).or_else(claimed)
 }
 
 /// What is written: the scale, a scale bar, dimension lines, the surest in this order.
-pub fn drawn(drawn: &Drawn<'_>, dpi: Option<f64>) -> Vec<Estimate> {
+pub fn drawn(drawn: &Drawn<'_>, resolution: Option<Resolution>) -> Vec<Estimate> {
     let measures = measures(drawn.texts);
     let bar = agreement(&bar::measurements(drawn.texts, drawn.lines));
     let dimensions = agreement(&dimensions::measurements(&measures, drawn.lines));
     let ways = [
-        paper::written(&measures, dpi),
+        paper::written(&measures, resolution),
         bar.map(|a| estimate(&a, "scale bar", 0.9)),
         dimensions
             .map(|a| estimate(&a, &counted(a.count, "dimension line", "dimension lines"), by_count(&a))),
@@ -121,7 +125,12 @@ pub fn by_rooms(metres_per_pixel: f64) -> Estimate {
 /// The first estimate that is good, or else the surest.
 pub fn choose(estimates: &[Estimate]) -> Option<&Estimate> {
     let surest = || estimates.iter().max_by(|a, b| a.confidence.total_cmp(&b.confidence));
-    estimates.iter().find(|e| e.confidence >= GOOD).or_else(surest)
+    good(estimates).or_else(surest)
+}
+
+/// The first estimate that is good.
+pub fn good(estimates: &[Estimate]) -> Option<&Estimate> {
+    estimates.iter().find(|e| e.confidence >= GOOD)
 }
 
 /// Only an estimate as sure as this contradicts another one.

@@ -32,8 +32,8 @@ pub fn ink(drawing: &Drawing, by_walls: &[bool], by_lines: &[bool], read: Read) 
     (0..outer.len()).map(|i| drawing.ink[i] && is_beyond(i)).collect()
 }
 
-/// Which of the parts are the building's.
-fn built(drawing: &Drawing, by_walls: &[bool], parts: &Components, read: Read) -> Vec<bool> {
+/// Of every part how often it meets what is open, and what the walls enclose.
+pub fn rims(drawing: &Drawing, by_walls: &[bool], parts: &Components) -> Vec<[usize; 2]> {
     let mut rim = vec![[0usize; 2]; parts.all.len()];
     for (i, &label) in parts.label.iter().enumerate().filter(|(_, l)| **l != 0) {
         let beside = Neighbours::Four.of(i, drawing.width, drawing.height);
@@ -41,6 +41,12 @@ fn built(drawing: &Drawing, by_walls: &[bool], parts: &Components, read: Read) -
             rim[label as usize][usize::from(by_walls[b])] += 1;
         });
     }
+    rim
+}
+
+/// Which of the parts are the building's.
+fn built(drawing: &Drawing, by_walls: &[bool], parts: &Components, read: Read) -> Vec<bool> {
+    let rim = rims(drawing, by_walls, parts);
     let mut named = vec![false; parts.all.len()];
     let words =
         read.texts.iter().filter(|t| t.content.chars().filter(|c| c.is_alphabetic()).count() >= LETTERS);

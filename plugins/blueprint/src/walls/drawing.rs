@@ -28,15 +28,15 @@ impl Drawing {
     pub fn of_sheet(ink: &Mask, metres_per_pixel: f64) -> Self {
         let fine = (COARSEST / metres_per_pixel).clamp(1.0, 1e4) as usize;
         let factor = (fine..).find(|f| ink.set.len() / (f * f) <= MOST).unwrap_or(fine);
-        let (width, height) = (ink.width as usize, ink.height as usize);
-        let (columns, rows) = (width.div_ceil(factor), height.div_ceil(factor));
-        let mut out = vec![false; columns * rows];
-        for (y, row) in ink.set.chunks(width.max(1)).enumerate() {
-            let line = &mut out[y / factor * columns..][..columns];
-            row.iter().enumerate().for_each(|(x, &i)| line[x / factor] |= i);
-        }
+        let columns = (ink.width as usize).div_ceil(factor);
+        let rows = (ink.height as usize).div_ceil(factor);
         let metre = 1.0 / (metres_per_pixel * factor as f64);
-        Self { ink: out, width: columns, height: rows, metre, factor }
+        Self { ink: coarser(ink, factor), width: columns, height: rows, metre, factor }
+    }
+
+    /// What is set on the sheet, of which this is the drawing, as one flag for every pixel of the drawing.
+    pub fn from_sheet(&self, set: &Mask) -> Vec<bool> {
+        coarser(set, self.factor)
     }
 
     /// A mask of the sheet's size out of one flag for every pixel of the drawing.
@@ -84,6 +84,17 @@ impl Drawing {
         let below = (at / self.width + 1 < self.height).then_some(at + self.width);
         right.into_iter().chain(below)
     }
+}
+
+/// One flag for so many pixels either way: whether any of them is set.
+fn coarser(mask: &Mask, factor: usize) -> Vec<bool> {
+    let columns = (mask.width as usize).div_ceil(factor);
+    let mut out = vec![false; columns * (mask.height as usize).div_ceil(factor)];
+    for (y, row) in mask.set.chunks(mask.width.max(1) as usize).enumerate() {
+        let line = &mut out[y / factor * columns..][..columns];
+        row.iter().enumerate().for_each(|(x, &i)| line[x / factor] |= i);
+    }
+    out
 }
 
 #[cfg(test)]
