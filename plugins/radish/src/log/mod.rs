@@ -1,4 +1,14 @@
-//! What a laser log says, whatever its format.
+//! What a laser log says, and how a CARMEN log is read.
+
+mod fields;
+mod geometry;
+mod lines;
+mod message;
+mod odometry;
+mod parameters;
+mod reader;
+
+pub use reader::{LaserChoice, is_log, read};
 
 /// A pose in the plane: metres, radians counter-clockwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
