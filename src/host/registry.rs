@@ -28,7 +28,7 @@ impl Registry {
     /// The plugins linked into the program.
     pub fn builtin() -> Self {
         Self::new(
-            vec![planform_slam_grid::adapter(), planform_blueprint::adapter()],
+            vec![planform_slam_grid::adapter(), planform_blueprint::adapter(), planform_radish::adapter()],
             vec![
                 planform_svg::exporter(),
                 planform_dxf::exporter(),

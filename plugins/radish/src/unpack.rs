@@ -25,12 +25,12 @@ impl Packing {
         }
     }
 
-    /// Its name for people, with a comma after it, or nothing.
+    /// What people should know of it, after the name of what is packed.
     pub fn words(self) -> &'static str {
         match self {
             Self::Plain => "",
-            Self::Gzip => "gzip, ",
-            Self::Bzip2 => "bzip2, ",
+            Self::Gzip => ", packed with gzip",
+            Self::Bzip2 => ", packed with bzip2",
         }
     }
 }

@@ -30,6 +30,13 @@ impl<'a> Fields<'a> {
         self.0.clone().count()
     }
 
+    /// Passes over all but the last `count` fields.
+    pub fn skip_to_last(&mut self, count: usize) {
+        if let Some(passed) = self.left().checked_sub(count + 1) {
+            self.0.nth(passed);
+        }
+    }
+
     /// The next field, which must be a number, and `what` says what it means; it may be infinite or NaN.
     pub fn number(&mut self, what: &str) -> Result<f64, Damage> {
         let field = self.text().ok_or_else(|| format!("it ends before {what}"))?;

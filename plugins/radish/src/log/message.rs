@@ -148,8 +148,7 @@ fn robot_laser(fields: &mut Fields<'_>, mount: Mount, whole: bool) -> Result<Swe
     fields.readings("remissions")?;
     let (pose, robot) = (fields.pose("laser")?, fields.pose("robot")?);
     // Two velocities and two distances; the turning axis came later.
-    let moving = fields.left().saturating_sub(TRAILER);
-    (0..moving).for_each(|_| drop(fields.text()));
+    fields.skip_to_last(TRAILER);
     let time = trailer(fields, whole)?;
     Ok(Sweep { mount, laser: Some(Geometry { first_angle, step, max_range }), ranges, pose, robot, time })
 }
@@ -157,8 +156,7 @@ fn robot_laser(fields: &mut Fields<'_>, mount: Mount, whole: bool) -> Result<Swe
 /// `ODOM x y theta tv rv accel time host logger_time`
 fn odometry(fields: &mut Fields<'_>, whole: bool) -> Result<Message<'static>, Damage> {
     let pose = fields.pose("robot")?;
-    let moving = fields.left().saturating_sub(TRAILER);
-    (0..moving).for_each(|_| drop(fields.text()));
+    fields.skip_to_last(TRAILER);
     Ok(Message::Odometry { pose, time: trailer(fields, whole)? })
 }
 

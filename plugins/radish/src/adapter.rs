@@ -1,0 +1,60 @@
+//! The adapter as the host sees it.
+
+use crate::options::{self, NAME, Request};
+use crate::{log, mapping, paint, poses, probe, unpack};
+use planform_sdk::{
+    Confidence, ErrorKind, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, ReadWatcher,
+    Scene, Source,
+};
+
+/// The adapter `radish`.
+///
+/// ```
+/// let adapter = planform_radish::adapter();
+/// assert_eq!(adapter.info().name, "radish");
+/// ```
+pub fn adapter() -> Box<dyn InputAdapter> {
+    Box::new(Radish { info: options::info() })
+}
+
+struct Radish {
+    info: PluginInfo,
+}
+
+impl InputAdapter for Radish {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn probe(&self, probe: &Probe<'_>) -> Confidence {
+        probe::probe(probe)
+    }
+
+    fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        self.read_watched(source, options, &mut ())
+    }
+
+    fn read_watched(
+        &self,
+        source: &Source,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        let request = Request::of(options);
+        if source.bytes.is_empty() {
+            return Err(
+                PluginError::new(ErrorKind::BadInput, "the file is empty").advise("give a CARMEN log")
+            );
+        }
+        let log = log::read(unpack::text(&source.bytes), request.laser)?;
+        watcher.stage("log", None);
+        let chosen = poses::choose(&log, request.poses)?;
+        let grid = mapping::map(&log.scans, &chosen.poses, &request.mapping)?;
+        paint::scans(&log.scans, &chosen.poses, request.mapping.reach, &grid, watcher);
+        paint::grid(&grid, watcher);
+        let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
+        scene.warnings = log.warnings;
+        scene.warnings.push(chosen.note);
+        Ok(scene)
+    }
+}

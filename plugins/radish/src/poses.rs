@@ -1,0 +1,54 @@
+//! Chooses the poses that scans are drawn from.
+
+use crate::log::{Log, Pose, PoseKind};
+use crate::options::Poses;
+use planform_sdk::{ErrorKind, PluginError};
+
+/// One pose for each scan, and a sentence on where they come from.
+pub struct Chosen {
+    /// In the order of the scans.
+    pub poses: Vec<Pose>,
+    /// For the user's eyes.
+    pub note: String,
+}
+
+/// The poses that are asked for.
+///
+/// # Errors
+/// When the log does not have what they are made of.
+pub fn choose(log: &Log, asked: Poses) -> Result<Chosen, PluginError> {
+    let chosen = |poses, note: &str| Ok(Chosen { poses, note: note.into() });
+    match (asked, log.poses) {
+        (Poses::Auto | Poses::Log, PoseKind::Corrected) => {
+            chosen(stated(log), "the poses are those of the log, which were corrected before")
+        }
+        (Poses::Log, PoseKind::Odometry) | (Poses::Odometry, _) => {
+            chosen(odometry(log)?, "the poses are odometry alone, and walls may be bent or double")
+        }
+        (Poses::Auto | Poses::Matched, _) => {
+            chosen(matched(log)?, "the poses are odometry, corrected by matching scans")
+        }
+    }
+}
+
+fn stated(log: &Log) -> Vec<Pose> {
+    log.scans.iter().map(|s| s.pose).collect()
+}
+
+/// The poses by odometry: those that the log states if it has no others.
+fn odometry(log: &Log) -> Result<Vec<Pose>, PluginError> {
+    match log.poses {
+        PoseKind::Odometry => Ok(stated(log)),
+        PoseKind::Corrected => log.scans.iter().map(|s| s.odometry).collect::<Option<_>>().ok_or_else(|| {
+            PluginError::new(ErrorKind::BadOption, "the log has corrected poses only, and no odometry")
+                .advise("leave out the option `poses`, or give `log`")
+        }),
+    }
+}
+
+/// The poses by matching scans, beginning with odometry where the log has it.
+fn matched(log: &Log) -> Result<Vec<Pose>, PluginError> {
+    let message = format!("the {} scans would have to be matched, which is not built in", log.scans.len());
+    Err(PluginError::new(ErrorKind::Unsupported, message)
+        .advise("give the option `poses` as `log` or `odometry`"))
+}
