@@ -93,9 +93,12 @@ fn chained(sweeps: &[Sweep], around: &[Around]) -> Option<Vec<Pose>> {
     Some(chain)
 }
 
-/// The odometry of a log whose odometry is as it was: the last message before each sweep.
+/// The odometry of a log whose odometry is as it was: the last message before each sweep. None if it is nowhere apart
+/// from the sweeps' poses.
 fn apart(sweeps: &[Sweep], around: &[Around], parameters: &Parameters) -> Option<Vec<Pose>> {
-    sweeps.iter().zip(around).map(|(s, a)| Some(a.before?.then(mounted(s.mount, parameters)))).collect()
+    let of = |(s, a): (&Sweep, &Around)| Some(a.before?.then(mounted(s.mount, parameters)));
+    let odometry: Vec<_> = sweeps.iter().zip(around).map(of).collect::<Option<_>>()?;
+    sweeps.iter().zip(&odometry).any(|(s, o)| s.pose.distance(*o) > ROUNDING.0).then_some(odometry)
 }
 
 #[cfg(test)]

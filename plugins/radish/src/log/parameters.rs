@@ -48,7 +48,7 @@ mod tests {
             parameters.front_view
         };
         assert_eq!(view("180"), Some(PI));
-        assert_eq!(view("3.14159"), Some(3.14159));
+        assert_eq!(view("3.25"), Some(3.25));
         for bad in ["0", "-1", "nan", "inf", "x"] {
             assert_eq!(view(bad), None, "{bad}");
         }
