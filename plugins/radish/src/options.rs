@@ -71,9 +71,7 @@ pub fn info() -> PluginInfo {
         description: "Laser logs of robots: CARMEN logs as Radish keeps them, plain, gzip or bzip2".into(),
         version: env!("CARGO_PKG_VERSION").into(),
         licence: env!("CARGO_PKG_LICENSE").into(),
-        extensions: words(&[
-            "log", "clf", "gfs", "log.gz", "clf.gz", "gfs.gz", "log.bz2", "clf.bz2", "gfs.bz2",
-        ]),
+        extensions: words(&["log", "clf", "gfs", "log.gz", "log.bz2"]),
         media_types: words(&["text/plain", "application/gzip", "application/x-bzip2"]),
         options: specs(),
     }
