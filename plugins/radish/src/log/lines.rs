@@ -17,6 +17,17 @@ pub enum End {
     Text,
 }
 
+/// A line.
+#[derive(Debug, Clone, Copy)]
+pub struct Line<'a> {
+    /// Without its end, and without blanks around it.
+    pub bytes: &'a [u8],
+    /// How it ended.
+    pub end: End,
+    /// From 1.
+    pub number: usize,
+}
+
 /// Reads lines.
 pub struct Lines<R> {
     reader: R,
@@ -32,11 +43,11 @@ impl<R: BufRead> Lines<R> {
         Self { reader, line: vec![], number: 0, taken: 0, damage: None }
     }
 
-    /// The next line without its end; none after the last. Text that cannot be read any further ends there.
+    /// The next line; none after the last. Text that cannot be read any further ends there.
     ///
     /// # Errors
     /// When the line, or all of the text, is longer than a log may be.
-    pub fn next(&mut self) -> Result<Option<(&[u8], End)>, PluginError> {
+    pub fn next(&mut self) -> Result<Option<Line<'_>>, PluginError> {
         self.line.clear();
         let read = self.reader.by_ref().take(LINE_LIMIT + 1).read_until(b'\n', &mut self.line);
         self.damage = read.err().or(self.damage.take());
@@ -47,7 +58,7 @@ impl<R: BufRead> Lines<R> {
         self.taken += self.line.len() as u64;
         self.check()?;
         let end = if self.line.last() == Some(&b'\n') { End::Whole } else { End::Text };
-        Ok(Some((self.line.trim_ascii(), end)))
+        Ok(Some(Line { bytes: self.line.trim_ascii(), end, number: self.number }))
     }
 
     /// How many lines were read.
@@ -85,8 +96,8 @@ mod tests {
     fn all(text: impl Read) -> (Vec<(String, End)>, bool) {
         let mut lines = Lines::new(io::BufReader::new(text));
         let mut found = vec![];
-        while let Some((line, end)) = lines.next().unwrap() {
-            found.push((String::from_utf8_lossy(line).into_owned(), end));
+        while let Some(line) = lines.next().unwrap() {
+            found.push((String::from_utf8_lossy(line.bytes).into_owned(), line.end));
         }
         (found, lines.damage().is_some())
     }

@@ -2,18 +2,19 @@
 
 use super::fields::{Damage, shortened};
 use super::geometry::{geometry, no_echo};
-use super::lines::{End, Lines};
+use super::lines::{End, Line, Lines};
 use super::message::{Message, Mount, Sweep};
 use super::odometry::{Around, judge};
 use super::parameters::Parameters;
 use super::{Log, Pose, Scan};
 use planform_sdk::{ErrorKind, Place, PluginError};
-use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::io::BufRead;
 
 /// The most readings of a log: 256 MiB of them.
 const MOST_READINGS: usize = 1 << 26;
+/// The most scans of a log: a day's at ten a second.
+const MOST_SCANS: usize = 1 << 20;
 /// How many kinds of unknown messages a warning names.
 const MOST_NAMES: usize = 5;
 
@@ -39,8 +40,12 @@ struct Reading {
     readings: usize,
     /// Lines that are messages.
     messages: usize,
-    unknown: BTreeMap<String, usize>,
+    /// Lines that are no message, or none that is known.
+    strange: usize,
+    /// Lines that are no message.
     noise: usize,
+    /// The names of the first unknown messages.
+    unknown: Vec<String>,
     damaged: usize,
     first_damage: Option<(usize, Damage)>,
     cut: Option<usize>,
@@ -53,9 +58,8 @@ struct Reading {
 pub fn read(text: impl BufRead, choice: LaserChoice) -> Result<Log, PluginError> {
     let mut lines = Lines::new(text);
     let mut reading = Reading::default();
-    while let Some((line, end)) = lines.next()? {
-        let line = String::from_utf8_lossy(line).into_owned();
-        reading.take(&line, end, lines.number())?;
+    while let Some(line) = lines.next()? {
+        reading.take(line)?;
     }
     let broken = lines.damage().map(|e| unpacking(e, lines.number()));
     reading.check(broken.as_deref())?;
@@ -66,9 +70,9 @@ pub fn read(text: impl BufRead, choice: LaserChoice) -> Result<Log, PluginError>
 pub fn is_log(head: &[u8]) -> bool {
     let mut reading = Reading::default();
     let whole = head.iter().rposition(|b| *b == b'\n').map_or(head, |end| &head[..end]);
-    for line in whole.split(|b| *b == b'\n') {
+    for bytes in whole.split(|b| *b == b'\n') {
         // Nothing to say here of what is damaged: the first sweep may be longer than the head.
-        let _: Result<(), PluginError> = reading.take(&String::from_utf8_lossy(line), End::Text, 0);
+        let _: Result<(), PluginError> = reading.take(Line { bytes, end: End::Text, number: 0 });
     }
     let known = reading.messages > 0 || begins_as_sweep(head);
     known && reading.noise <= reading.messages
@@ -93,19 +97,17 @@ fn unpacking(error: &std::io::Error, line: usize) -> String {
 
 impl Reading {
     /// Takes in one line.
-    fn take(&mut self, line: &str, end: End, number: usize) -> Result<(), PluginError> {
-        match Message::of(line, end == End::Whole) {
-            Ok(message) => self.message(message, number),
-            Err(_) if end == End::Text => {
-                self.cut = Some(number);
-                Ok(())
-            }
+    fn take(&mut self, line: Line<'_>) -> Result<(), PluginError> {
+        // Old logs have comments in other encodings.
+        match Message::of(&String::from_utf8_lossy(line.bytes), line.end == End::Whole) {
+            Ok(message) => return self.message(message, line.number),
+            Err(_) if line.end == End::Text => self.cut = Some(line.number),
             Err(damage) => {
                 self.damaged += 1;
-                self.first_damage.get_or_insert((number, damage));
-                Ok(())
+                self.first_damage.get_or_insert((line.number, damage));
             }
         }
+        Ok(())
     }
 
     fn message(&mut self, message: Message<'_>, number: usize) -> Result<(), PluginError> {
@@ -116,11 +118,18 @@ impl Reading {
             Message::Odometry { pose, .. } => self.odometry(pose),
             Message::Parameter(name, value) => self.parameters.take(name, value),
             Message::Filter => self.filtered = true,
-            Message::Unknown(name) => *self.unknown.entry(shortened(name)).or_default() += 1,
-            Message::Noise => self.noise += 1,
+            Message::Unknown(name) => self.unknown(shortened(name)),
+            Message::Noise => (self.noise, self.strange) = (self.noise + 1, self.strange + 1),
             Message::Nothing => {}
         }
         Ok(())
+    }
+
+    fn unknown(&mut self, name: String) {
+        self.strange += 1;
+        if self.unknown.len() < MOST_NAMES && !self.unknown.contains(&name) {
+            self.unknown.push(name);
+        }
     }
 
     fn odometry(&mut self, pose: Pose) {
@@ -135,8 +144,10 @@ impl Reading {
 
     fn sweep(&mut self, sweep: Sweep, number: usize) -> Result<(), PluginError> {
         self.readings += sweep.ranges.len();
-        if self.readings > MOST_READINGS {
-            let message = format!("the log has more than {MOST_READINGS} readings");
+        let counts =
+            [(self.readings, MOST_READINGS, "readings"), (self.sweeps.len() + 1, MOST_SCANS, "scans")];
+        if let Some((_, most, what)) = counts.iter().find(|(count, most, _)| count > most) {
+            let message = format!("the log has more than {most} {what}");
             return Err(PluginError::new(ErrorKind::Limit, message)
                 .at(Place::Line(number))
                 .advise("cut it into parts"));
@@ -202,9 +213,9 @@ impl Reading {
     }
 
     fn unknown_warning(&self) -> Option<String> {
-        let count = self.unknown.values().sum::<usize>() + self.noise;
-        let names: Vec<_> = self.unknown.keys().take(MOST_NAMES).map(String::as_str).collect();
-        let named = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
+        let names = self.unknown.join(", ");
+        let named = if names.is_empty() { String::new() } else { format!(" ({names})") };
+        let count = self.strange;
         (count > 0).then(|| format!("{count} lines are left out that are no messages known here{named}"))
     }
 
@@ -244,5 +255,27 @@ fn scan(
         odometry: odometry.map(|o| o.then(ahead)),
         time: sweep.time,
         ranges: sweep.ranges,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scans_and_readings_are_bounded() {
+        let sweep = |ranges| Sweep {
+            mount: Mount::Front,
+            laser: None,
+            ranges,
+            pose: Pose::IDENTITY,
+            robot: Pose::IDENTITY,
+            time: 0.0,
+        };
+        let refused = |reading: &mut Reading| reading.sweep(sweep(vec![1.0]), 7).unwrap_err().to_string();
+        let mut full = Reading { readings: MOST_READINGS, ..Reading::default() };
+        assert_eq!(refused(&mut full), "line 7: the log has more than 67108864 readings; cut it into parts");
+        let mut many = Reading { sweeps: vec![sweep(vec![]); MOST_SCANS], ..Reading::default() };
+        assert_eq!(refused(&mut many), "line 7: the log has more than 1048576 scans; cut it into parts");
     }
 }
