@@ -96,6 +96,23 @@ pub fn folder() -> TempDir {
     folder
 }
 
+/// A log of a laser that turns in a room which is a square of 4 m, sound and damaged, and what is no log.
+pub fn logs() -> Vec<Source> {
+    let range = |direction: f64| 2.0 / direction.cos().abs().max(direction.sin().abs());
+    let scan = |i: u32| {
+        let heading = f64::from(i) * 0.3;
+        let beam = |j: u32| format!("{:.2} ", range(heading + (f64::from(j) - 90.0).to_radians()));
+        let ranges: String = (0..181).map(beam).collect();
+        format!("FLASER 181 {ranges}0 0 {heading} 0 0 {heading} {i} host {i}\nNEFF 10\n")
+    };
+    let source =
+        |bytes: Vec<u8>| Source { path: "turning.log".into(), bytes, byte_limit: Source::BYTE_LIMIT };
+    let sound = source((0..20).map(scan).collect::<String>().into_bytes());
+    let mut all = damaged(&sound);
+    all.extend([sound, source(vec![]), source(b"no log\n".to_vec())]);
+    all
+}
+
 /// The document cut short, and with a byte changed, at several places.
 fn damaged(source: &Source) -> Vec<Source> {
     let length = source.bytes.len();

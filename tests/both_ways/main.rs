@@ -51,6 +51,27 @@ fn slam_grid() {
     assert!(read > 100 && refused > 100, "{read} read, {refused} refused");
 }
 
+#[test]
+fn radish() {
+    let built_in = planform_radish::adapter();
+    let ways = Ways::of("planform-radish");
+    let poses = built_in.info().options.iter().filter(|o| o.name == "poses").cloned().collect();
+    let chosen = choices(&PluginInfo { options: poses, ..built_in.info().clone() }, &[], &[]);
+    for (way, (adapters, exporters)) in ways.all() {
+        assert_eq!((adapters.len(), exporters.len()), (1, 0), "{way}");
+        assert_eq!(said(adapters[0].info()), said(built_in.info()), "{way}");
+        let mut read = 0;
+        for source in &documents::logs() {
+            for choice in &chosen {
+                let expected = answer(built_in.as_ref(), source, choice);
+                assert!(answer(adapters[0].as_ref(), source, choice) == expected, "{way}, {choice:?}");
+                read += usize::from(expected.contains(" Ok("));
+            }
+        }
+        assert!(read > 20, "{read} read");
+    }
+}
+
 /// Writes every drawing with every choice of options, and compares.
 fn exporter(package: &str, built_in: &dyn Exporter, numbers: &[&str], texts: &[&str]) {
     let ways = Ways::of(package);
