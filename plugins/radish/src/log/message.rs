@@ -38,12 +38,7 @@ pub enum Message<'a> {
     /// A sweep of a laser.
     Sweep(Sweep),
     /// The robot's pose by odometry.
-    Odometry {
-        /// The robot's pose.
-        pose: Pose,
-        /// Seconds.
-        time: f64,
-    },
+    Odometry(Pose),
     /// A parameter's name and value.
     Parameter(&'a str, &'a str),
     /// How many particles of a filter are effective: only a program that corrects poses writes it.
@@ -156,8 +151,8 @@ fn robot_laser(fields: &mut Fields<'_>, mount: Mount, whole: bool) -> Result<Swe
 /// `ODOM x y theta tv rv accel time host logger_time`
 fn odometry(fields: &mut Fields<'_>, whole: bool) -> Result<Message<'static>, Damage> {
     let pose = fields.pose("robot")?;
-    fields.skip_to_last(TRAILER);
-    Ok(Message::Odometry { pose, time: trailer(fields, whole)? })
+    trailer(fields, whole)?;
+    Ok(Message::Odometry(pose))
 }
 
 /// The time of the message, 0 where there is none.
@@ -230,10 +225,7 @@ mod tests {
             ("WIFI 1 2", Message::Unknown("WIFI")),
             ("hello", Message::Noise),
             ("12 13", Message::Noise),
-            (
-                "ODOM 1 2 3 0 0 0 7 h 8",
-                Message::Odometry { pose: Pose { x: 1.0, y: 2.0, theta: 3.0 }, time: 7.0 },
-            ),
+            ("ODOM 1 2 3 0 0 0 7 h 8", Message::Odometry(pose(1.0, 2.0, 3.0))),
         ] {
             assert_eq!(Message::of(line, true), Ok(expected), "{line}");
         }

@@ -115,7 +115,7 @@ impl Reading {
             usize::from(!matches!(message, Message::Nothing | Message::Noise | Message::Unknown(_)));
         match message {
             Message::Sweep(sweep) => return self.sweep(sweep, number),
-            Message::Odometry { pose, .. } => self.odometry(pose),
+            Message::Odometry(pose) => self.odometry(pose),
             Message::Parameter(name, value) => self.parameters.take(name, value),
             Message::Filter => self.filtered = true,
             Message::Unknown(name) => self.unknown(shortened(name)),
