@@ -35,8 +35,7 @@ impl Area {
         Grid::check_size(width, height).map_err(|e| {
             let metres = [0, 1].map(|i| (bounds.high[i] - bounds.low[i]).round());
             let message = format!("the scans reach over {} x {} m, and {e}", metres[0], metres[1]);
-            PluginError::new(ErrorKind::Limit, message)
-                .advise("a larger `resolution` or a smaller `max-range` makes fewer cells")
+            PluginError::new(ErrorKind::Limit, message).advise(advice(placed))
         })?;
         Ok(Self { width, height, resolution: params.resolution, corner: low })
     }
@@ -55,6 +54,21 @@ impl Area {
         Grid::new(self.width, self.height, self.resolution, MapPose { x, y, yaw: 0.0 }, cells)
             .map_err(|e| PluginError::new(ErrorKind::BadOption, e.to_string()))
     }
+}
+
+/// What to do about a map that is too large: a damaged pose is the likeliest cause.
+fn advice(placed: &[(&Scan, Pose)]) -> String {
+    let middle = [|p: Pose| p.x, |p: Pose| p.y].map(|axis| {
+        let mut values: Vec<f64> = placed.iter().map(|(_, pose)| axis(*pose)).collect();
+        values.sort_by(f64::total_cmp);
+        values.get(values.len() / 2).copied().unwrap_or(0.0)
+    });
+    let away = |pose: Pose| (pose.x - middle[0]).hypot(pose.y - middle[1]);
+    let far = (1..).zip(placed).max_by(|(_, (_, a)), (_, (_, b))| away(*a).total_cmp(&away(*b)));
+    let (number, metres) = far.map_or((0, 0.0), |(number, (_, pose))| (number, away(*pose).round()));
+    format!(
+        "a larger `resolution` makes fewer cells; the pose farthest out, {metres} m from the middle one, is that of scan {number}"
+    )
 }
 
 fn no_beams() -> PluginError {

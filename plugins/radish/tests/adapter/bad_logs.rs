@@ -94,6 +94,8 @@ fn maps_are_bounded() {
     let e = read_bytes(far.as_bytes(), &[]).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Limit);
     assert!(e.message.starts_with("the scans reach over 90000"), "{e}");
+    let advice = e.advice.unwrap();
+    assert!(advice.ends_with("m from the middle one, is that of scan 41"), "{advice}");
     let e = read_bytes(log().as_bytes(), &[("resolution", "1e-5")]).unwrap_err();
     assert_eq!(e.kind, ErrorKind::Limit);
     let e = read_bytes(log().as_bytes(), &[("resolution", "2000")]).unwrap_err();
