@@ -6,11 +6,12 @@
 mod adapter;
 pub mod log;
 pub mod mapping;
+pub mod matching;
 mod options;
 mod paint;
 mod poses;
 mod probe;
-mod unpack;
+pub mod unpack;
 
 pub use adapter::adapter;
 
