@@ -9,6 +9,7 @@ pub mod mapping;
 pub mod matching;
 mod options;
 mod paint;
+pub mod picture;
 mod poses;
 mod probe;
 pub mod unpack;

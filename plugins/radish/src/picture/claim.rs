@@ -1,0 +1,100 @@
+//! Whether a picture is a map that is better read here: one with colours that robots' maps have.
+
+use super::backdrop;
+use super::decode::{Picture, is_picture};
+use super::wide;
+use planform_sdk::{Confidence, Probe, Source};
+
+/// How many of the pixels lines may take at most.
+const MOST_LINES: f64 = 0.12;
+
+/// How many of the pixels lines take at least.
+const FEWEST_LINES: f64 = 0.0002;
+
+/// How many of the grey pixels have the three most frequent greys at least.
+const FEW_GREYS: f64 = 0.85;
+
+/// How near to white paper is.
+const PAPER: u8 = 245;
+
+/// How much of the border may be paper in a map.
+const BORDER: f64 = 0.5;
+
+/// How much of a map is light areas, and how much is dark, at least.
+const SPACE: f64 = 0.03;
+const WALLS: f64 = 0.003;
+
+/// Pixels are taken to be this wide here, metres.
+const RESOLUTION: f64 = 0.05;
+
+/// How sure the adapter is by the first bytes: less than others that read plain maps, but so near that all take a look.
+/// GIF pictures nobody else reads.
+pub fn probe(probe: &Probe<'_>) -> Confidence {
+    if is_picture(probe.head) {
+        Confidence::because(52, "a picture, which may be a map with a robot's way drawn on it")
+    } else {
+        Confidence::no()
+    }
+}
+
+/// How sure the adapter is by the whole picture. Plain maps are left to others, and so are drawings: those are on white
+/// paper, or have more greys or colours.
+pub fn look(source: &Source) -> Option<Confidence> {
+    let picture = Picture::decode(&source.bytes).ok()?;
+    let coloured = picture.coloured();
+    let backdrop = backdrop::find(&picture, &coloured, wide::radius(RESOLUTION));
+    let count = |set: &mut dyn Iterator<Item = bool>| {
+        set.filter(|s| *s).count() as f64 / coloured.len().max(1) as f64
+    };
+    let back = count(&mut backdrop.iter().copied());
+    let lines = count(&mut coloured.iter().zip(&backdrop).map(|(c, b)| *c && !b));
+    let greys: Vec<Option<u8>> = picture.greys().zip(&coloured).map(|(g, c)| g.filter(|_| !c)).collect();
+    let map = few(&greys) >= FEW_GREYS
+        && paper(&picture) <= BORDER
+        && lines <= MOST_LINES
+        && spacious(&greys, picture.width);
+    Some(match (map, back > 0.0, lines >= FEWEST_LINES) {
+        (true, true, _) => Confidence::because(92, "it shows a map with a colour for unknown space"),
+        (true, false, true) => Confidence::because(92, "it shows a map with coloured lines drawn on it"),
+        _ => Confidence::because(40, "it shows no map with colours of its own"),
+    })
+}
+
+/// Whether light areas and something dark are among the greys: free space and walls.
+fn spacious(greys: &[Option<u8>], width: usize) -> bool {
+    let tone = |range: std::ops::Range<u8>| greys.iter().map(move |g| g.is_some_and(|g| range.contains(&g)));
+    let of_all = |n: usize| n as f64 / greys.len().max(1) as f64;
+    let light = wide::areas(
+        &tone(200..u8::MAX).zip(greys).map(|(t, g)| t || *g == Some(u8::MAX)).collect::<Vec<_>>(),
+        width,
+        wide::radius(RESOLUTION),
+    );
+    of_all(light.iter().filter(|l| **l).count()) >= SPACE
+        && of_all(tone(0..100).filter(|t| *t).count()) >= WALLS
+}
+
+/// The share of grey pixels that have the three most frequent greys, or greys next to them.
+fn few(greys: &[Option<u8>]) -> f64 {
+    let mut counts = [0_u64; 256];
+    greys.iter().flatten().for_each(|g| counts[usize::from(*g)] += 1);
+    let all = counts.iter().sum::<u64>().max(1);
+    let mut few = 0;
+    for _ in 0..3 {
+        let most = (0..256).max_by_key(|g| (counts[*g], 256 - g)).unwrap_or(0);
+        let near = most.saturating_sub(8)..(most + 9).min(256);
+        few += counts[near.clone()].iter().sum::<u64>();
+        counts[near].fill(0);
+    }
+    few as f64 / all as f64
+}
+
+/// The share of the border that is white or transparent.
+fn paper(picture: &Picture) -> f64 {
+    let greys: Vec<Option<u8>> = picture.greys().collect();
+    let (width, height) = (picture.width, picture.height);
+    let border: Vec<usize> = (0..greys.len())
+        .filter(|i| i % width == 0 || i % width + 1 == width || i / width == 0 || i / width + 1 == height)
+        .collect();
+    let white = border.iter().filter(|i| greys[**i].is_none_or(|g| g >= PAPER)).count();
+    white as f64 / border.len().max(1) as f64
+}

@@ -1,0 +1,118 @@
+//! Decodes pictures within limits.
+
+use super::wide;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, RgbaImage};
+use planform_sdk::{ErrorKind, Grid, GridError, PluginError};
+use std::io::Cursor;
+
+/// The most memory that a decoded picture may take: 1 GiB.
+const MEMORY_LIMIT: u64 = 1 << 30;
+
+/// The formats that are read.
+const FORMATS: [ImageFormat; 6] = [
+    ImageFormat::Png,
+    ImageFormat::Gif,
+    ImageFormat::Jpeg,
+    ImageFormat::Bmp,
+    ImageFormat::Tiff,
+    ImageFormat::Pnm,
+];
+
+/// The least difference between a pixel's strongest and weakest channel that makes it coloured, and that of one near
+/// such a pixel, where lines are smoothed.
+const COLOURED: (u8, u8) = (40, 10);
+
+/// How far lines are smoothed, pixels: JPEG keeps colours at half the resolution.
+const BLEED: usize = 3;
+
+/// A picture's pixels, row by row from above.
+pub struct Picture {
+    /// Columns.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    pixels: RgbaImage,
+}
+
+/// The format of a picture that begins with these bytes, if it is one that is read.
+pub fn format(head: &[u8]) -> Option<ImageFormat> {
+    let format = image::guess_format(head).ok()?;
+    let plausible = match format {
+        // Two letters and a digit, or two letters, also begin many a text.
+        ImageFormat::Pnm => head.get(2).is_some_and(|b| b.is_ascii_whitespace() || *b == b'#'),
+        ImageFormat::Bmp => head.get(15..18) == Some(&[0; 3]),
+        _ => true,
+    };
+    (plausible && FORMATS.contains(&format)).then_some(format)
+}
+
+/// Whether a document that begins with these bytes is a picture that is read here.
+pub fn is_picture(head: &[u8]) -> bool {
+    format(head).is_some()
+}
+
+impl Picture {
+    /// Decodes a picture; of a moving one, the first. Its size is checked before memory is taken.
+    pub fn decode(bytes: &[u8]) -> Result<Self, PluginError> {
+        let format = format(bytes).ok_or_else(|| {
+            PluginError::new(ErrorKind::BadInput, "the first bytes are not those of a picture that is read")
+                .advise("give a PNG, GIF, JPEG, BMP, TIFF or PNM picture")
+        })?;
+        let mut reader = ImageReader::with_format(Cursor::new(bytes), format);
+        let mut limits = Limits::default();
+        limits.max_alloc = Some(MEMORY_LIMIT);
+        reader.limits(limits);
+        let decoder = reader.into_decoder().map_err(|e| cannot_decode(&e))?;
+        let (width, height) = decoder.dimensions();
+        Grid::check_size(width, height).map_err(refuse_size)?;
+        if decoder.total_bytes() > MEMORY_LIMIT {
+            return Err(PluginError::new(ErrorKind::Limit, "the picture takes more than 1 GiB of memory")
+                .advise("save it with 8 bits for each colour, or shrink it"));
+        }
+        let pixels = DynamicImage::from_decoder(decoder).map_err(|e| cannot_decode(&e))?.into_rgba8();
+        Ok(Self { width: width as usize, height: height as usize, pixels })
+    }
+
+    /// The mean of each pixel's colours; none where it is rather transparent than not.
+    pub fn greys(&self) -> impl Iterator<Item = Option<u8>> + '_ {
+        self.pixels.pixels().map(|p| {
+            let [r, g, b, alpha] = p.0.map(u16::from);
+            (alpha >= 128).then_some(((r + g + b + 1) / 3) as u8)
+        })
+    }
+
+    /// The colour of each pixel.
+    pub fn colours(&self) -> impl Iterator<Item = [u8; 3]> + '_ {
+        self.pixels.pixels().map(|p| [p.0[0], p.0[1], p.0[2]])
+    }
+
+    /// Which pixels are of a colour, or of a tint near one.
+    pub fn coloured(&self) -> Vec<bool> {
+        let spread: Vec<u8> = self.pixels.pixels().map(|p| spread(p.0)).collect();
+        let strong: Vec<bool> = spread.iter().map(|s| *s >= COLOURED.0).collect();
+        let near = wide::near(&strong, self.width, BLEED);
+        spread.iter().zip(near).map(|(s, near)| near && *s >= COLOURED.1).collect()
+    }
+}
+
+fn spread([r, g, b, alpha]: [u8; 4]) -> u8 {
+    if alpha < 128 { 0 } else { r.max(g).max(b) - r.min(g).min(b) }
+}
+
+fn refuse_size(e: GridError) -> PluginError {
+    match e {
+        GridError::TooLarge { .. } => {
+            PluginError::new(ErrorKind::Limit, e.to_string()).advise("shrink the picture")
+        }
+        _ => PluginError::new(ErrorKind::BadInput, e.to_string()),
+    }
+}
+
+fn cannot_decode(e: &image::ImageError) -> PluginError {
+    let (kind, advice) = match e {
+        image::ImageError::Limits(_) => (ErrorKind::Limit, "shrink it"),
+        image::ImageError::Unsupported(_) => (ErrorKind::Unsupported, "save it as a plain 8 bit PNG"),
+        _ => (ErrorKind::BadInput, "the file may be damaged or cut short: save or copy it again"),
+    };
+    PluginError::new(kind, format!("the picture cannot be decoded: {e}")).advise(advice)
+}
