@@ -1,6 +1,7 @@
 //! The adapter as the host sees it.
 
 use crate::options::{self, NAME, Request};
+use crate::picture::{self, PictureParams};
 use crate::{log, mapping, paint, poses, probe, unpack};
 use planform_sdk::{
     Confidence, ErrorKind, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, ReadWatcher,
@@ -30,6 +31,10 @@ impl InputAdapter for Radish {
         probe::probe(probe)
     }
 
+    fn look(&self, source: &Source) -> Option<Confidence> {
+        picture::look(source)
+    }
+
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
         self.read_watched(source, options, &mut ())
     }
@@ -40,6 +45,9 @@ impl InputAdapter for Radish {
         options: &Options,
         watcher: &mut dyn ReadWatcher,
     ) -> Result<Scene, PluginError> {
+        if picture::is_picture(&source.bytes) {
+            return self.read_picture(source, options);
+        }
         let request = Request::of(options);
         if source.bytes.is_empty() {
             return Err(
@@ -55,6 +63,15 @@ impl InputAdapter for Radish {
         let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
         scene.warnings = log.warnings;
         scene.warnings.push(chosen.note);
+        Ok(scene)
+    }
+}
+
+impl Radish {
+    fn read_picture(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        let (grid, note) = picture::read(&source.bytes, &PictureParams::of(options))?;
+        let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
+        scene.warnings.push(note);
         Ok(scene)
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::log::LaserChoice;
 use crate::mapping::{MappingParams, Odds};
+use crate::picture;
 use planform_sdk::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
 
 /// The adapter's name.
@@ -68,16 +69,23 @@ pub fn info() -> PluginInfo {
     let words = |list: &[&str]| list.iter().map(|&w| w.to_owned()).collect();
     PluginInfo {
         name: NAME.into(),
-        description: "Laser logs of robots: CARMEN logs as Radish keeps them, plain, gzip or bzip2".into(),
+        description: "Radish: CARMEN laser logs, plain, gzip or bzip2, and map pictures with a robot's way drawn on them".into(),
         version: env!("CARGO_PKG_VERSION").into(),
         licence: env!("CARGO_PKG_LICENSE").into(),
         extensions: words(&["log", "clf", "gfs", "log.gz", "log.bz2"]),
-        media_types: words(&["text/plain", "application/gzip", "application/x-bzip2"]),
+        media_types: words(&["text/plain", "application/gzip", "application/x-bzip2", "image/gif"]),
         options: specs(),
     }
 }
 
 fn specs() -> Vec<OptionSpec> {
+    let mut specs = logs();
+    specs.extend(picture::specs());
+    specs
+}
+
+/// The options of logs.
+fn logs() -> Vec<OptionSpec> {
     vec![
         number("resolution", "Width of a cell, metres", above(0.0), Some(RESOLUTION)),
         OptionSpec::choice(

@@ -1,6 +1,7 @@
 //! Chooses the poses that scans are drawn from.
 
 use crate::log::{Log, Pose, PoseKind};
+use crate::matching::{MatchingParams, corrected};
 use crate::options::Poses;
 use planform_sdk::{ErrorKind, PluginError};
 
@@ -25,9 +26,7 @@ pub fn choose(log: &Log, asked: Poses) -> Result<Chosen, PluginError> {
         (Poses::Log, PoseKind::Odometry) | (Poses::Odometry, _) => {
             chosen(odometry(log)?, "the poses are odometry alone, and walls may be bent or double")
         }
-        (Poses::Auto | Poses::Matched, _) => {
-            chosen(matched(log)?, "the poses are odometry, corrected by matching scans")
-        }
+        (Poses::Auto | Poses::Matched, _) => Ok(matched(log)),
     }
 }
 
@@ -47,8 +46,18 @@ fn odometry(log: &Log) -> Result<Vec<Pose>, PluginError> {
 }
 
 /// The poses by matching scans, beginning with odometry where the log has it.
-fn matched(log: &Log) -> Result<Vec<Pose>, PluginError> {
-    let message = format!("the {} scans would have to be matched, which is not built in", log.scans.len());
-    Err(PluginError::new(ErrorKind::Unsupported, message)
-        .advise("give the option `poses` as `log` or `odometry`"))
+fn matched(log: &Log) -> Chosen {
+    let found = corrected(&log.scans, &MatchingParams::default(), &mut |_| {});
+    let begun = match log.poses {
+        PoseKind::Corrected if log.scans.iter().any(|s| s.odometry.is_none()) => "the log's own",
+        _ if found.odometry => "odometry",
+        _ => "nothing, as the log has no odometry, so that long corridors may be too long or too short",
+    };
+    let note = format!(
+        "the poses were found by matching {} of {} scans and closing {} loops, beginning with {begun}",
+        found.matched,
+        log.scans.len(),
+        found.loops
+    );
+    Chosen { poses: found.poses, note }
 }

@@ -1,6 +1,7 @@
 //! How sure the adapter is of a document.
 
 use crate::log;
+use crate::picture;
 use crate::unpack::{Packing, first_bytes};
 use planform_sdk::{Confidence, Probe};
 
@@ -14,6 +15,9 @@ pub fn probe(probe: &Probe<'_>) -> Confidence {
     let text = first_bytes(probe.head, HEAD);
     if log::is_log(&text) {
         return Confidence::because(95, format!("a CARMEN log by its first messages{}", packing.words()));
+    }
+    if picture::is_picture(probe.head) {
+        return picture::probe(probe);
     }
     let named = named_as_log(probe);
     match packing {
@@ -63,7 +67,6 @@ mod tests {
             "# only a comment\n",
             "FLASER\n",
             "hello\nworld\nODOM\n",
-            "P5\n1 1 255\n\0",
         ] {
             assert_eq!(percent("", head.as_bytes()), 0, "{head}");
             assert_eq!(percent("a.LOG", head.as_bytes()), 5, "{head}");
