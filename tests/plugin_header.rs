@@ -93,8 +93,8 @@ fn seen_by_rust() -> Vec<Shape> {
         PlanformSceneSink { size context grid text symbol anchor warning provenance fail scale flags stage }
         PlanformAdapter { size info data probe read }
         PlanformDocument { size layout grid scene }
-        PlanformOutput { size context write fail }
-        PlanformExporter { size info data write }
+        PlanformOutput { size context write fail stem extension companion }
+        PlanformExporter { size info data write companions }
         PlanformPlugin { size abi_major abi_minor adapters exporters }
     }
 }

@@ -3,14 +3,14 @@
 use super::Failure;
 use super::failure::say;
 use super::input::{InputArgs, Opened};
-use super::output::{self, Target};
+use super::output::{self, Content, Target};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::params::MethodArgs;
 use super::progress::{Progress, Voice};
 use super::watch::{DebugFolder, ReadWatch, Watch};
 use crate::reconstruct::{Params, reconstruct};
 use clap::Args;
-use planform_sdk::{Document, Layout, OpeningKind, Options, RoomState, Scene};
+use planform_sdk::{Document, Layout, OpeningKind, Options, Output, RoomState, Scene};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -165,12 +165,15 @@ impl Run<'_> {
         Ok(layout)
     }
 
-    fn render(&self, layout: &Layout, target: &Target<'_>, options: &Options) -> Result<Vec<u8>, Failure> {
-        let mut bytes = Vec::new();
+    fn render(&self, layout: &Layout, target: &Target<'_>, options: &Options) -> Result<Content, Failure> {
+        let (mut file, mut companions) = (vec![], vec![vec![]; target.exporter.companions().len()]);
         let document = Document { layout, scene: Some(self.scene) };
-        let written = target.exporter.write(&document, options, &mut bytes);
+        let (stem, extension) = target.name();
+        let output =
+            Output { stem: &stem, extension: &extension, file: &mut file, companions: &mut companions };
+        let written = target.exporter.write_files(&document, options, output);
         written.map_err(|e| Failure::of_plugin(target.shown(), e))?;
-        Ok(bytes)
+        Ok(Content { file, companions })
     }
 }
 

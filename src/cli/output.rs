@@ -17,6 +17,23 @@ pub struct Target<'a> {
     /// The format.
     pub exporter: &'a dyn Exporter,
     place: Place,
+    /// The files beside it, in the order of the exporter's companions.
+    companions: Vec<Companion>,
+}
+
+/// A file beside an output that belongs to it.
+struct Companion {
+    /// As the user would type it.
+    path: PathBuf,
+    place: Place,
+}
+
+/// What is written to an output and to its companions.
+pub struct Content {
+    /// The document.
+    pub file: Vec<u8>,
+    /// One for each companion of the exporter's.
+    pub companions: Vec<Vec<u8>>,
 }
 
 /// What kind of thing an output is.
@@ -43,12 +60,29 @@ pub fn plan<'a>(
         let message = format!("--to {to} has no use: every output's extension already names its format");
         return Err(Failure::Usage(message));
     }
-    let target =
-        |(path, (exporter, _)): (&PathBuf, _)| Target { path: path.into(), exporter, place: Place::of(path) };
+    let target = |(path, (exporter, _)): (&PathBuf, _)| Target::new(path, exporter);
     let targets: Vec<_> = paths.iter().zip(formats).map(target).collect();
-    match targets.iter().enumerate().find(|(i, t)| targets[..*i].iter().any(|other| other.is_same_file(t))) {
-        Some((_, twice)) => Err(Failure::Usage(format!("{}: is given as an output twice", twice.shown()))),
-        None => Ok(targets),
+    check_distinct(&targets)?;
+    Ok(targets)
+}
+
+/// Fails if two outputs, or what lies beside them, are one file.
+fn check_distinct(targets: &[Target<'_>]) -> Result<(), Failure> {
+    let files: Vec<_> = targets.iter().flat_map(Target::files).collect();
+    let again = |(i, (_, place)): &(usize, (&PathBuf, &Place))| files[..*i].iter().any(|(_, p)| p == place);
+    let files = || files.iter().copied().enumerate().filter(|(_, (_, place))| **place != Place::Device);
+    match files().find(again) {
+        None => Ok(()),
+        Some((_, (_, Place::Stdout))) => {
+            Err(Failure::Usage("standard output: is given as an output twice".into()))
+        }
+        Some((_, (path, _))) if targets.iter().flat_map(|t| &t.companions).any(|c| c.path == *path) => {
+            let message = "belongs to two outputs, or to one and is another; give them other names";
+            Err(Failure::Usage(format!("{}: {message}", path.display())))
+        }
+        Some((_, (path, _))) => {
+            Err(Failure::Usage(format!("{}: is given as an output twice", path.display())))
+        }
     }
 }
 
@@ -124,23 +158,73 @@ fn folder(path: &Path) -> &Path {
     }
 }
 
-impl Target<'_> {
+/// The file name's stem and extension: one of the exporter's, or else what follows the last dot.
+fn parted(path: &Path, exporter: &dyn Exporter) -> (String, String) {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let lower = name.to_lowercase();
+    let extensions = exporter.info().extensions.iter().filter(|e| lower.ends_with(&format!(".{e}")));
+    // Lower case may be longer than the name: then no place in the one is a place in the other.
+    let length = extensions.filter_map(|e| name.len().checked_sub(e.len() + 1)).filter(|l| *l > 0).min();
+    let known = length.and_then(|length| Some((name.get(..length)?, name.get(length + 1..)?)));
+    let (stem, extension) =
+        known.or_else(|| name.rsplit_once('.').filter(|(stem, _)| !stem.is_empty())).unwrap_or((&name, ""));
+    (stem.into(), extension.into())
+}
+
+impl<'a> Target<'a> {
+    fn new(path: &Path, exporter: &'a dyn Exporter) -> Self {
+        let (stem, _) = parted(path, exporter);
+        let companion = |extension: &String| {
+            let path = path.with_file_name(format!("{stem}.{extension}"));
+            Companion { place: Place::of(&path), path }
+        };
+        let companions = exporter.companions().iter().map(companion).collect();
+        Self { path: path.into(), exporter, place: Place::of(path), companions }
+    }
+
+    /// The file name's stem and extension; none for what is no file.
+    pub fn name(&self) -> (String, String) {
+        match self.place {
+            Place::Stdout => Default::default(),
+            Place::Device | Place::File(_) => parted(&self.path, self.exporter),
+        }
+    }
+
+    /// Its own path and place, and those of its companions.
+    fn files(&self) -> impl Iterator<Item = (&PathBuf, &Place)> {
+        let companions = self.companions.iter().map(|c| (&c.path, &c.place));
+        std::iter::once((&self.path, &self.place)).chain(companions)
+    }
+
     /// The output as the user knows it.
     pub fn shown(&self) -> String {
         if self.place == Place::Stdout { "standard output".into() } else { self.path.display().to_string() }
     }
 
-    fn is_same_file(&self, other: &Self) -> bool {
-        self.place == other.place && self.place != Place::Device
+    /// Fails if the output or a companion cannot be written, or must not be, while nothing has been done yet.
+    pub fn check(&self, input: &Path, force: bool) -> Result<(), Failure> {
+        self.check_named()?;
+        let input = input.canonicalize().ok();
+        self.files().try_for_each(|(path, place)| {
+            let Place::File(real) = place else { return Ok(()) };
+            if input.as_ref() == Some(real) {
+                return Err(Failure::Usage(format!("{}: is both input and output", path.display())));
+            }
+            check_file(path, force)
+        })
     }
 
-    /// Fails if the output cannot be written, or must not be, while nothing has been done yet.
-    pub fn check(&self, input: &Path, force: bool) -> Result<(), Failure> {
-        let Place::File(real) = &self.place else { return Ok(()) };
-        if input.canonicalize().is_ok_and(|input| input == *real) {
-            return Err(Failure::Usage(format!("{}: is both input and output", self.path.display())));
+    /// Fails if there is no place beside the output for what belongs there.
+    fn check_named(&self) -> Result<(), Failure> {
+        let in_folder = |(_, place): (_, &Place)| matches!(place, Place::File(_));
+        let Some(companion) = self.exporter.companions().first() else { return Ok(()) };
+        if self.files().all(in_folder) {
+            return Ok(());
         }
-        check_file(&self.path, force)
+        let name = &self.exporter.info().name;
+        let message =
+            format!("`{name}` writes a `.{companion}` file beside it; give the name of a file in a folder");
+        Err(Failure::Usage(format!("{}: {message}", self.shown())))
     }
 
     /// Writes a device or standard output.
@@ -189,16 +273,20 @@ fn unwritable(path: &Path, error: io::Error) -> Failure {
     Failure::over(path, format!("the folder `{}` takes no file: {reason}", folder(path).display()))
 }
 
-/// Writes every output. Files appear under their names only when all of them are safe on the disk.
-pub fn write(targets: &[Target<'_>], contents: &[Vec<u8>], force: bool) -> Result<(), Failure> {
+/// Writes every output. Files appear under their names only when all of them are safe on the disk; companions first,
+/// so that no document refers to what is not there yet.
+pub fn write(targets: &[Target<'_>], contents: &[Content], force: bool) -> Result<(), Failure> {
     let mut staged = Vec::new();
-    for (target, bytes) in targets.iter().zip(contents) {
-        if let Place::File(real) = &target.place {
-            staged.push(stage(real, bytes).map_err(|e| Failure::of_io(&target.path, e))?);
+    for (target, content) in targets.iter().zip(contents) {
+        let contents = std::iter::once(&content.file).chain(&content.companions);
+        for ((path, place), bytes) in target.files().zip(contents) {
+            if let Place::File(real) = place {
+                staged.push(stage(real, bytes).map_err(|e| Failure::of_io(path, e))?);
+            }
         }
     }
-    staged.into_iter().try_for_each(|file| file.publish(force))?;
-    targets.iter().zip(contents).try_for_each(|(target, bytes)| target.write_directly(bytes))
+    staged.into_iter().rev().try_for_each(|file| file.publish(force))?;
+    targets.iter().zip(contents).try_for_each(|(target, content)| target.write_directly(&content.file))
 }
 
 /// Writes one file, whole or not at all.

@@ -4,7 +4,7 @@ use super::isolated::{Limits, Process};
 use super::{library, search};
 use planform_sdk::abi::host::{Log, logged};
 use planform_sdk::{
-    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, PluginError, PluginInfo, Probe,
+    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, Output, PluginError, PluginInfo, Probe,
     ReadWatcher, Scene, Source,
 };
 use std::io::Write;
@@ -221,5 +221,18 @@ impl Exporter for Outsider<dyn Exporter> {
         out: &mut dyn Write,
     ) -> Result<(), PluginError> {
         named(&self.info().name, self.plugin.write(document, options, out))
+    }
+
+    fn companions(&self) -> &[String] {
+        self.plugin.companions()
+    }
+
+    fn write_files(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        output: Output<'_>,
+    ) -> Result<(), PluginError> {
+        named(&self.info().name, self.plugin.write_files(document, options, output))
     }
 }

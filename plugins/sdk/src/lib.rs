@@ -31,7 +31,7 @@ pub use adapter::{Confidence, InputAdapter, Probe, Source};
 pub use anchor::Bearing;
 pub use boundary::Boundary;
 pub use error::{ErrorKind, Place, PluginError};
-pub use exporter::{Document, Exporter, WriteFn, exporter};
+pub use exporter::{Document, Exporter, Output, WriteFn, exporter};
 pub use fitting::Fitting;
 pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};

@@ -8,7 +8,7 @@ use super::{
 use crate::host::Registry;
 use planform_sdk::abi::PLANFORM_OK;
 use planform_sdk::abi::host::AbiExporter;
-use planform_sdk::{Document, Exporter, Layout, PluginError, Scene};
+use planform_sdk::{Document, Exporter, Layout, Output, PluginError, Scene};
 use std::io::{self, Write};
 
 pub fn information(subject: &Subject<'_>) -> Result<(), String> {
@@ -28,8 +28,10 @@ pub fn information(subject: &Subject<'_>) -> Result<(), String> {
 }
 
 fn write(exporter: &AbiExporter, layout: &Layout, scene: Option<&Scene>) -> Result<Vec<u8>, PluginError> {
-    let mut out = vec![];
-    exporter.write(&Document { layout, scene }, &defaults(&exporter.info().options), &mut out)?;
+    let (mut out, mut companions) = (vec![], vec![vec![]; exporter.companions().len()]);
+    let output = Output { stem: "two rooms", extension: "", file: &mut out, companions: &mut companions };
+    exporter.write_files(&Document { layout, scene }, &defaults(&exporter.info().options), output)?;
+    companions.into_iter().for_each(|bytes| out.extend(bytes));
     Ok(out)
 }
 
@@ -97,13 +99,21 @@ pub fn gives_up(subject: &Subject<'_>) -> Result<(), String> {
     let layout = material::plain_layout();
     for exporter in &subject.plugin.exporters {
         let options = defaults(&exporter.info().options);
-        let length = write(exporter, &layout, None).map_err(|e| format!("two rooms: {e}"))?.len();
+        let mut alone = vec![];
+        let document = Document { layout: &layout, scene: None };
+        exporter.write(&document, &options, &mut alone).map_err(|e| format!("two rooms: {e}"))?;
+        let length = alone.len();
         for room in [0, 1, length / 2, length.saturating_sub(1)] {
             let what = format!("a disk that is full after {room} bytes");
             about_to_try(&what);
-            let document = Document { layout: &layout, scene: None };
-            let trial =
-                exporter.try_write(&document, &options, &mut Disk(room)).map_err(|e| e.to_string())?;
+            let mut companions = vec![vec![]; exporter.companions().len()];
+            let output = Output {
+                stem: "two rooms",
+                extension: "",
+                file: &mut Disk(room),
+                companions: &mut companions,
+            };
+            let trial = exporter.try_write(&document, &options, output).map_err(|e| e.to_string())?;
             if trial.status == PLANFORM_OK {
                 return Err(format!("{what}: it says that all is well"));
             }

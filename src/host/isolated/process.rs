@@ -5,8 +5,8 @@ use super::wire::{self, Answer, Reply, Request, SceneHeader};
 use super::{Limits, VERB};
 use planform_sdk::abi::host::{exact, note};
 use planform_sdk::{
-    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, Picture, PluginError, PluginInfo,
-    Probe, ReadWatcher, Scene, Source,
+    Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, Output, Picture, PluginError,
+    PluginInfo, Probe, ReadWatcher, Scene, Source,
 };
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
@@ -59,12 +59,18 @@ impl Process {
     pub fn describe(self: &Arc<Self>) -> Result<(Vec<Remote>, Vec<Remote>), String> {
         let time = self.limits.time.min(LOADING);
         match self.ask_within(Request::Describe, vec![], time, &mut ()) {
-            Ok((Answer::Described { adapters, exporters }, _)) => {
-                let remotes = |infos: Vec<PluginInfo>| {
-                    let remote = |(number, info)| Remote { process: Arc::clone(self), number, info };
-                    infos.into_iter().enumerate().map(remote).collect()
+            Ok((Answer::Described { adapters, exporters, companions }, _)) => {
+                let remotes = |infos: Vec<PluginInfo>, companions: Vec<Vec<String>>| {
+                    let companions = companions.into_iter().chain(std::iter::repeat(vec![]));
+                    let remote = |(number, (info, companions))| Remote {
+                        process: Arc::clone(self),
+                        number,
+                        info,
+                        companions,
+                    };
+                    infos.into_iter().zip(companions).enumerate().map(remote).collect()
                 };
-                Ok((remotes(adapters), remotes(exporters)))
+                Ok((remotes(adapters, vec![]), remotes(exporters, companions)))
             }
             Ok((Answer::Unusable(reason), _)) => Err(reason),
             Ok(_) => Err(out_of_turn().to_string()),
@@ -327,6 +333,7 @@ pub struct Remote {
     process: Arc<Process>,
     number: usize,
     info: PluginInfo,
+    companions: Vec<String>,
 }
 
 impl Remote {
@@ -389,19 +396,52 @@ impl Exporter for Remote {
         options: &Options,
         out: &mut dyn Write,
     ) -> Result<(), PluginError> {
+        let mut companions = vec![vec![]; self.companions.len()];
+        self.write_files(
+            document,
+            options,
+            Output { stem: "", extension: "", file: out, companions: &mut companions },
+        )
+    }
+
+    fn companions(&self) -> &[String] {
+        &self.companions
+    }
+
+    fn write_files(
+        &self,
+        document: &Document<'_>,
+        options: &Options,
+        output: Output<'_>,
+    ) -> Result<(), PluginError> {
         // Told here: the plugin's process could not even read it.
         exact(document.layout)?;
         document.scene.map(|scene| exact(&scene.annotations())).transpose()?;
         let request = Request::Write {
             exporter: self.number,
+            stem: output.stem.into(),
+            extension: output.extension.into(),
             layout: Box::new(document.layout.clone()),
             scene: document.scene.map(|scene| Box::new(SceneHeader::of(scene))),
             options: options.values(),
         };
         let cells = document.scene.map(|scene| wire::cells_of(&scene.grid)).unwrap_or_default();
         match self.process.ask(request, cells)? {
-            (Answer::Written, output) => Ok(out.write_all(&output)?),
+            (Answer::Written { lengths }, bytes) => hand_out(&bytes, &lengths, output),
             _ => Err(out_of_turn()),
         }
     }
+}
+
+/// Parts a block into the document and its companions, which have these lengths and come last.
+fn hand_out(mut bytes: &[u8], lengths: &[usize], output: Output<'_>) -> Result<(), PluginError> {
+    if lengths.len() != output.companions.len() {
+        return Err(out_of_turn());
+    }
+    for (companion, length) in output.companions.iter_mut().zip(lengths).rev() {
+        let from = bytes.len().checked_sub(*length).ok_or_else(out_of_turn)?;
+        companion.extend_from_slice(&bytes[from..]);
+        bytes = &bytes[..from];
+    }
+    Ok(output.file.write_all(bytes)?)
 }

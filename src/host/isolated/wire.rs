@@ -22,8 +22,15 @@ pub enum Request {
     Probe { adapter: usize, path: PathName },
     /// Read the document in the block. The stages come with their pictures only if they are wanted.
     Read { adapter: usize, path: PathName, byte_limit: u64, options: Values, pictures: bool },
-    /// Write the layout. The block is the grid's cells.
-    Write { exporter: usize, layout: Box<Layout>, scene: Option<Box<SceneHeader>>, options: Values },
+    /// Write the layout and its companions. The block is the grid's cells.
+    Write {
+        exporter: usize,
+        stem: String,
+        extension: String,
+        layout: Box<Layout>,
+        scene: Option<Box<SceneHeader>>,
+        options: Values,
+    },
     /// Do this check of the conformance suite. The block is the sample document, if there is a path.
     Check { number: usize, path: Option<PathName> },
 }
@@ -33,8 +40,8 @@ pub enum Request {
 pub enum Answer {
     /// Said once and unasked, before the library is loaded: how much address space the process takes so far, bytes.
     Ready(u64),
-    /// The library's adapters and exporters.
-    Described { adapters: Vec<PluginInfo>, exporters: Vec<PluginInfo> },
+    /// The library's adapters and exporters, with the exporters' companions.
+    Described { adapters: Vec<PluginInfo>, exporters: Vec<PluginInfo>, companions: Vec<Vec<String>> },
     /// The library cannot be used, for this reason.
     Unusable(String),
     /// How sure the adapter is.
@@ -43,8 +50,8 @@ pub enum Answer {
     Stage { name: String, sides: Option<(u32, u32)> },
     /// What was read. The block is the grid's cells.
     Scene(SceneHeader),
-    /// The output is the block.
-    Written,
+    /// The outputs follow each other in the block: the document, then its companions, of these lengths.
+    Written { lengths: Vec<usize> },
     /// The check is done, and found this fault.
     Checked(Option<String>),
     /// It did not work.

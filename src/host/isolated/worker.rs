@@ -5,7 +5,7 @@ use crate::host::conformance::{self, Subject};
 use crate::host::library;
 use planform_sdk::abi::host::{Plugin, logged};
 use planform_sdk::{
-    Document, ErrorKind, Exporter, InputAdapter, Layout, Options, Picture, PluginError, PluginInfo, Probe,
+    Document, ErrorKind, Exporter, InputAdapter, Options, Output, Picture, PluginError, PluginInfo, Probe,
     ReadWatcher, Source,
 };
 use std::io::{self, Write};
@@ -114,8 +114,12 @@ fn answer(
             let source = Source { path: path.into(), bytes: block, byte_limit };
             read(plugin, adapter, &source, options, &mut Teller { out, pictures })
         }
-        Request::Write { exporter, layout, scene, options } => {
-            write(plugin, exporter, &layout, scene, &block, options)
+        Request::Write { exporter, stem, extension, layout, scene, options } => {
+            let scene = scene.map(|header| header.with(&block)).transpose();
+            scene.map_err(PluginError::from).and_then(|scene| {
+                let document = Document { layout: &layout, scene: scene.as_ref() };
+                write(plugin, exporter, [&stem, &extension], &document, options)
+            })
         }
         Request::Check { number, path } => Ok((check(plugin, number, path, block), vec![])),
     };
@@ -148,6 +152,7 @@ fn describe(plugin: &Plugin) -> Answer {
     Answer::Described {
         adapters: infos(plugin.adapters.iter().map(|a| a.info()).collect()),
         exporters: infos(plugin.exporters.iter().map(|e| e.info()).collect()),
+        companions: plugin.exporters.iter().map(|e| e.companions().to_vec()).collect(),
     }
 }
 
@@ -175,17 +180,21 @@ fn read(
 fn write(
     plugin: &Plugin,
     exporter: usize,
-    layout: &Layout,
-    scene: Option<Box<SceneHeader>>,
-    cells: &[u8],
+    [stem, extension]: [&str; 2],
+    document: &Document<'_>,
     options: Values,
 ) -> Answered {
     let exporter = plugin.exporters.get(exporter).ok_or_else(no_such)?;
-    let scene = scene.map(|header| header.with(cells)).transpose()?;
     let options = Options::of_values(&exporter.info().options, options)?;
-    let mut output = vec![];
-    exporter.write(&Document { layout, scene: scene.as_ref() }, &options, &mut output)?;
-    Ok((Answer::Written, output))
+    let (mut file, mut companions) = (vec![], vec![vec![]; exporter.companions().len()]);
+    exporter.write_files(
+        document,
+        &options,
+        Output { stem, extension, file: &mut file, companions: &mut companions },
+    )?;
+    let lengths = companions.iter().map(Vec::len).collect();
+    companions.into_iter().for_each(|bytes| file.extend(bytes));
+    Ok((Answer::Written { lengths }, file))
 }
 
 fn check(plugin: &Plugin, number: usize, path: Option<PathName>, bytes: Vec<u8>) -> Answer {

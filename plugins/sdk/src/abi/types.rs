@@ -6,7 +6,7 @@ use std::ffi::{c_char, c_void};
 /// at the end of some structs.
 pub const PLANFORM_ABI_MAJOR: u32 = 1;
 /// See PLANFORM_ABI_MAJOR.
-pub const PLANFORM_ABI_MINOR: u32 = 1;
+pub const PLANFORM_ABI_MINOR: u32 = 2;
 
 /// How a call ended: PLANFORM_OK or what went wrong.
 pub type PlanformStatus = i32;
@@ -411,6 +411,22 @@ pub struct PlanformOutput {
     pub write: unsafe extern "C" fn(context: *mut c_void, bytes: *const u8, length: usize) -> PlanformStatus,
     /// Takes what went wrong and returns its status, for the exporter to return.
     pub fail: unsafe extern "C" fn(context: *mut c_void, problem: *const PlanformProblem) -> PlanformStatus,
+    /// The file's name up to its extension, for what refers to its companions. Since version 1.2: only there if `size`
+    /// says so.
+    pub stem: PlanformString,
+    /// Its extension without the dot, as the user typed it; empty for what is no file. Since version 1.2: only there if
+    /// `size` says so.
+    pub extension: PlanformString,
+    /// Takes the next bytes of a companion, by its place in PlanformExporter.companions from 0; otherwise as `write`.
+    /// Since version 1.2: only there if `size` says so.
+    pub companion: Option<
+        unsafe extern "C" fn(
+            context: *mut c_void,
+            number: usize,
+            bytes: *const u8,
+            length: usize,
+        ) -> PlanformStatus,
+    >,
 }
 
 /// Reads one family of document formats. Valid for ever.
@@ -458,6 +474,10 @@ pub struct PlanformExporter {
             output: *const PlanformOutput,
         ) -> PlanformStatus,
     >,
+    /// The extensions of the files that lie beside a document of this format, without the dot, lower case: the
+    /// companion "pgm" of map.yaml is map.pgm. NULL ends the list. The list itself may be NULL, and most are. Since
+    /// version 1.2.
+    pub companions: *const *const c_char,
 }
 
 /// What a plugin library offers. Valid for ever.

@@ -47,16 +47,34 @@ fn check_name(name: &str) -> Result<(), LoadError> {
 }
 
 fn check_extensions(info: &PluginInfo) -> Result<(), LoadError> {
+    all_plain(&info.extensions, "extension", &info.name)
+}
+
+fn all_plain(extensions: &[String], what: &str, of: &str) -> Result<(), LoadError> {
     let bad = |e: &&String| {
         e.is_empty() || e.starts_with('.') || **e != e.to_lowercase() || e.contains(['/', '\\'])
     };
-    info.extensions.iter().find(bad).map_or(Ok(()), |bad| {
+    extensions.iter().find(bad).map_or(Ok(()), |bad| {
         let shown = bad.escape_debug();
         Err(LoadError::Info(format!(
-            "`{}` has the extension `{shown}`: write it in lower case, without the dot",
-            info.name
+            "`{of}` has the {what} `{shown}`: write it in lower case, without the dot"
         )))
     })
+}
+
+/// The extensions of the companions of an exporter's documents, each once.
+///
+/// # Safety
+///
+/// `list` is NULL, or points to C strings of which the last is NULL.
+pub unsafe fn companions(list: *const *const c_char, of: &str) -> Result<Vec<String>, LoadError> {
+    // SAFETY: as the caller promises.
+    let companions = unsafe { texts(list, "companions", of) }?;
+    all_plain(&companions, "companion", of)?;
+    match companions.iter().enumerate().find(|(i, c)| companions[..*i].contains(c)) {
+        Some((_, twice)) => Err(LoadError::Info(format!("`{of}` has the companion `{twice}` twice"))),
+        None => Ok(companions),
+    }
 }
 
 /// # Safety

@@ -8,7 +8,7 @@ use crate::abi::{
     PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PlanformDocument, PlanformExporter, PlanformJson, PlanformOutput,
     PlanformStatus,
 };
-use crate::{Document, ErrorKind, Exporter, PluginError};
+use crate::{Document, ErrorKind, Exporter, Output, PluginError};
 use std::io::{self, BufWriter, Write};
 
 /// How much of an output crosses at a time: exporters write in small pieces.
@@ -17,11 +17,13 @@ const BUFFER: usize = 1 << 16;
 /// The table, never freed.
 pub fn table(exporter: Box<dyn Exporter>) -> *const PlanformExporter {
     let info = info::table(exporter.info());
+    let companions = info::c_texts(exporter.companions());
     Box::leak(Box::new(PlanformExporter {
         size: size_of::<PlanformExporter>(),
         info,
         data: Box::into_raw(Box::new(exporter)).cast(),
         write: Some(write),
+        companions,
     }))
 }
 
@@ -75,9 +77,16 @@ unsafe fn write_with(
     let options = unsafe { received::options(options, &exporter.info().options) }?;
     // SAFETY: as the caller promises.
     let (layout, scene) = unsafe { received::document(document) }?;
-    let mut out = BufWriter::with_capacity(BUFFER, sink);
-    exporter.write(&Document { layout: &layout, scene: scene.as_ref() }, &options, &mut out)?;
-    out.flush().map_err(PluginError::from)
+    let document = Document { layout: &layout, scene: scene.as_ref() };
+    // SAFETY: the host's texts, which live until the call returns.
+    let (stem, extension) = unsafe { (sink.output.stem.to_text(), sink.output.extension.to_text()) };
+    let mut companions = vec![vec![]; exporter.companions().len()];
+    let mut out = BufWriter::with_capacity(BUFFER, &mut *sink);
+    let output = Output { stem: &stem, extension: &extension, file: &mut out, companions: &mut companions };
+    exporter.write_files(&document, &options, output)?;
+    out.flush()?;
+    drop(out);
+    companions.iter().enumerate().try_for_each(|(number, bytes)| sink.companion(number, bytes))
 }
 
 /// The host's output as something to write to.
@@ -87,17 +96,39 @@ struct Sink<'a> {
     refusal: Option<PlanformStatus>,
 }
 
-impl Write for Sink<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+impl Sink<'_> {
+    /// Hands over a whole companion.
+    fn companion(&mut self, number: usize, bytes: &[u8]) -> Result<(), PluginError> {
+        let context = self.output.context;
+        let take = self.output.companion.ok_or_else(|| {
+            let message =
+                "this planform takes no files beside a document (its plugin interface is older than 1.2)";
+            PluginError::new(ErrorKind::Unsupported, message).advise("use a newer planform")
+        })?;
+        // SAFETY: the callback is called with its own context, and the bytes live until it returns.
+        self.offer(|| unsafe { take(context, number, bytes.as_ptr(), bytes.len()) })?;
+        Ok(())
+    }
+
+    /// Calls the host, unless it has refused before.
+    fn offer(&mut self, call: impl FnOnce() -> PlanformStatus) -> io::Result<()> {
         if self.refusal.is_none() {
-            // SAFETY: the callback is called with its own context, and the bytes live until it returns.
-            let status = unsafe { (self.output.write)(self.output.context, bytes.as_ptr(), bytes.len()) };
+            let status = call();
             self.refusal = (status != PLANFORM_OK).then_some(status);
         }
         match self.refusal {
-            None => Ok(bytes.len()),
+            None => Ok(()),
             Some(_) => Err(io::Error::other(PluginError::new(ErrorKind::Io, "the host takes no more"))),
         }
+    }
+}
+
+impl Write for Sink<'_> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let (take, context) = (self.output.write, self.output.context);
+        // SAFETY: the callback is called with its own context, and the bytes live until it returns.
+        self.offer(|| unsafe { take(context, bytes.as_ptr(), bytes.len()) })?;
+        Ok(bytes.len())
     }
 
     fn flush(&mut self) -> io::Result<()> {

@@ -19,12 +19,17 @@ pub fn table(info: &PluginInfo) -> *const PlanformInfo {
         description: c_text(&info.description),
         version: c_text(&info.version),
         licence: c_text(&info.licence),
-        extensions: terminated(info.extensions.iter().map(|e| c_text(e))),
-        media_types: terminated(info.media_types.iter().map(|m| c_text(m))),
+        extensions: c_texts(&info.extensions),
+        media_types: c_texts(&info.media_types),
         options,
         // The traits ask for Send and Sync.
         flags: PLANFORM_THREAD_SAFE,
     }))
+}
+
+/// A list of C strings that is ended by NULL, never freed.
+pub fn c_texts(texts: &[String]) -> *const *const c_char {
+    terminated(texts.iter().map(|t| c_text(t)))
 }
 
 /// A C string, never freed. Zero bytes, which it cannot hold, are left out.
