@@ -34,6 +34,8 @@ impl Registry {
                 planform_dxf::exporter(),
                 planform_geojson::exporter(),
                 planform_json::exporter(),
+                planform_ros_map::exporter(),
+                planform_graph::exporter(),
             ],
         )
     }
