@@ -1,4 +1,5 @@
-//! What the program writes, read back by independent programs: GDAL, ezdxf, resvg.
+//! What the program writes, read back by independent programs: GDAL, ezdxf, resvg, PyYAML and numpy, networkx,
+//! Graphviz.
 
 // Clippy knows the tests themselves, but not what they call.
 #![allow(clippy::unwrap_used)]
@@ -103,13 +104,13 @@ fn gdal_finds_the_anchored_geojson_on_the_earth() {
     assert!(summary.contains("WGS 84") && summary.contains("Extent: (11.57"), "{summary}");
 }
 
-/// What the auditing script of the DXF plugin says of these files.
-fn audited(files: &[PathBuf]) -> Vec<Value> {
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("plugins/dxf/tests/audit.py");
+/// What a plugin's script in Python says of these files.
+fn told(script: &str, files: &[PathBuf]) -> Value {
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("plugins").join(script);
     let output = Command::new("python3").arg(script).args(files).output();
     let output =
         output.unwrap_or_else(|e| panic!("this test needs `python3` ({e}): apt-get install python3"));
-    // Without ezdxf the script says how to get it.
+    // Without the packages that it needs the script says how to get them.
     assert!(output.status.success(), "{}", text(&output.stderr));
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -122,7 +123,8 @@ fn ezdxf_reads_every_version_of_the_dxf() {
         w.does(&format!("convert office.yaml -o {version}.dxf --set dxf.version={version}"));
         w.path(&format!("{version}.dxf"))
     });
-    let reports = audited(&files);
+    let reports = told("dxf/tests/audit.py", &files);
+    let reports = reports.as_array().unwrap();
     assert_eq!(reports.len(), versions.len());
     for (version, report) in versions.iter().zip(reports) {
         assert_eq!(report["version"], *version);
@@ -132,6 +134,66 @@ fn ezdxf_reads_every_version_of_the_dxf() {
         assert_eq!(report["rooms"].as_object().unwrap().len(), layout.rooms.len(), "{version}");
         same_areas(&layout.rooms.iter().map(area).collect::<Vec<_>>(), &layout, INNER);
     }
+}
+
+#[test]
+fn a_map_server_reads_the_ros_map() {
+    let (w, _) = office();
+    w.does("convert office.yaml -o out.yaml");
+    let report = told("ros-map/tests/read.py", &[w.path("out.yaml"), w.path("office.yaml")]);
+    assert_eq!((&report["keys"]["image"], &report["keys"]["mode"]), (&"out.pgm".into(), &"trinary".into()));
+    assert_eq!(report["greys"], serde_json::json!([0, 205, 254]));
+    assert_eq!(report["same_frame"], true, "{report}");
+    // The robot's map has furniture and noise in it, and the layout's has none.
+    assert!(report["free"].as_f64().unwrap() > 0.85, "{report}");
+    assert!(report["walls_on_walls"].as_f64().unwrap() > 0.9, "{report}");
+}
+
+#[test]
+fn networkx_reads_the_graph() {
+    let (w, layout) = office();
+    w.does("convert office.yaml -o office.graph.json -o office.graphml");
+    let [json, graphml] =
+        ["graph.json", "graphml"].map(|e| told("graph/tests/read.py", &[w.path(&format!("office.{e}"))]));
+    assert_eq!(json, graphml);
+    assert_eq!((&json["directed"], &json["multigraph"]), (&false.into(), &false.into()));
+    let nodes = json["nodes"].as_object().unwrap();
+    assert_eq!(nodes.len(), layout.rooms.len() + layout.openings.len());
+    for room in &layout.rooms {
+        let node = &nodes[&format!("room-{}", room.id)];
+        let area = node["area"].as_f64().unwrap();
+        assert!((area - room.area()).abs() < 1e-3, "{node}");
+        let point = Point::new(node["x"].as_f64().unwrap(), node["y"].as_f64().unwrap());
+        assert!(room.inner.contains(point), "{node}");
+    }
+    no_way_is_shorter_than_a_bird_flies(&json);
+}
+
+fn no_way_is_shorter_than_a_bird_flies(report: &Value) {
+    let place = |id: &str| {
+        let node = &report["nodes"][id];
+        Some(Point::new(node["x"].as_f64()?, node["y"].as_f64()?))
+    };
+    for (from, others) in report["distances"].as_object().unwrap() {
+        for (to, distance) in others.as_object().unwrap() {
+            let Some((a, b)) = place(from).zip(place(to)) else { continue };
+            assert!(distance.as_f64().unwrap() > a.distance(b) - 0.01, "{from} {to}: {distance}");
+        }
+    }
+}
+
+#[test]
+fn graphviz_reads_the_graph() {
+    let (w, layout) = office();
+    w.does("convert office.yaml -o office.dot -o office.graph.json");
+    let drawn = run("dot", &["-Tjson0"], &w.path("office.dot"), "apt-get install graphviz");
+    let drawn: Value = serde_json::from_str(&drawn).unwrap();
+    let counted = |list: &str| drawn[list].as_array().unwrap().len();
+    assert_eq!(counted("objects"), layout.rooms.len() + layout.openings.len());
+    let graph: Value = serde_json::from_slice(&w.read("office.graph.json")).unwrap();
+    assert_eq!(counted("edges"), graph["edges"].as_array().unwrap().len());
+    let is_room = |o: &&Value| o["kind"] == "room";
+    assert_eq!(drawn["objects"].as_array().unwrap().iter().filter(is_room).count(), layout.rooms.len());
 }
 
 /// The rings of path data that has only M, L and Z.

@@ -35,7 +35,7 @@ impl Default for Params {
             beams: 60,
             independent: 12.0,
             particles: [500, 100_000],
-            density: 100.0,
+            density: 200.0,
             most: 100_000,
         }
     }
@@ -46,6 +46,12 @@ const BOX: [f64; 3] = [0.5, 0.5, TAU / 36.0];
 
 /// The bound on the error of KLD-sampling, and the quantile of the normal distribution of its certainty (99 %).
 const KLD: (f64, f64) = (0.05, 2.326);
+
+/// In so many boxes at most the particles are close enough to each other for the map's details.
+const FEW_BOXES: f64 = 50.0;
+
+/// The most that echoes may be farther off.
+const COARSEST: f64 = 4.0;
 
 /// A pose that the robot may have.
 #[derive(Debug, Clone, Copy)]
@@ -60,6 +66,8 @@ pub struct Filter<'a> {
     params: Params,
     random: Random,
     particles: Vec<Particle>,
+    /// How many boxes the particles were in when they were last drawn.
+    boxes: usize,
 }
 
 impl<'a> Filter<'a> {
@@ -72,7 +80,7 @@ impl<'a> Filter<'a> {
             yaw: pose.yaw + random.normal(turned),
         };
         let particles = (0..params.particles[0]).map(|_| Particle { pose: near(), weight: 1.0 }).collect();
-        Self { field, params, random, particles }
+        Self { field, params, random, particles, boxes: 1 }
     }
 
     /// A robot anywhere on the floor.
@@ -86,8 +94,9 @@ impl<'a> Filter<'a> {
             let Point { x, y } = field.on_floor(number, shares)?;
             Some(Particle { pose: Pose { x, y, yaw: TAU * random.share() }, weight: 1.0 })
         };
-        let particles = (0..count).filter_map(|_| place()).collect();
-        Self { field, params, random, particles }
+        let particles: Vec<_> = (0..count).filter_map(|_| place()).collect();
+        let boxes = particles.len();
+        Self { field, params, random, particles, boxes }
     }
 
     /// How many particles there are.
@@ -139,13 +148,19 @@ impl<'a> Filter<'a> {
     /// The logarithm of the likelihood of these echoes at a pose.
     fn fit(&self, pose: Pose, echoes: &[Point]) -> f64 {
         let (sin, cos) = pose.yaw.sin_cos();
-        let (sigma, random) = (self.params.sigma, self.params.unexplained);
+        let (sigma, random) = (self.params.sigma * self.coarseness(), self.params.unexplained);
         let one = |p: &Point| {
             let end = Point::new(pose.x + cos * p.x - sin * p.y, pose.y + sin * p.x + cos * p.y);
             let off = f64::from(self.field.distance(end)) / sigma;
             ((1.0 - random) * (-0.5 * off * off).exp() + random * 0.1).ln()
         };
         echoes.iter().map(one).sum()
+    }
+
+    /// How much farther off than usual an echo may be: particles that fill a whole building are too far apart for one to be
+    /// right to a hand's breadth, and the nearest to the truth must not lose to one that fits elsewhere by chance.
+    fn coarseness(&self) -> f64 {
+        (self.boxes as f64 / FEW_BOXES).cbrt().clamp(1.0, COARSEST)
     }
 
     /// How many particles of equal weight would say as much.
@@ -176,6 +191,7 @@ impl<'a> Filter<'a> {
             }
             drawn.push(Particle { pose, weight: 1.0 });
         }
+        self.boxes = boxes.len();
         let weight = 1.0 / drawn.len() as f64;
         drawn.iter_mut().for_each(|p| p.weight = weight);
         self.particles = drawn;

@@ -11,7 +11,7 @@ mod library;
 
 use choices::{Choice, choices};
 use library::Ways;
-use planform_sdk::{Document, Exporter, InputAdapter, OptionSpec, PluginInfo, Probe, Source};
+use planform_sdk::{Document, Exporter, InputAdapter, OptionSpec, Output, PluginInfo, Probe, Source};
 
 /// What a plugin says of itself. The order of the options does not cross.
 fn said(info: &PluginInfo) -> PluginInfo {
@@ -76,9 +76,11 @@ fn radish() {
 fn exporter(package: &str, built_in: &dyn Exporter, numbers: &[&str], texts: &[&str]) {
     let ways = Ways::of(package);
     let written = |exporter: &dyn Exporter, document: &Document<'_>, choice: &Choice| {
-        let mut bytes = vec![];
-        let result = exporter.write(document, &choice.of(exporter.info()), &mut bytes);
-        result.map(|()| bytes).map_err(|e| format!("{e:?}"))
+        let (mut bytes, mut companions) = (vec![], vec![vec![]; exporter.companions().len()]);
+        let output =
+            Output { stem: "plan \"1\"", extension: "dot", file: &mut bytes, companions: &mut companions };
+        let result = exporter.write_files(document, &choice.of(exporter.info()), output);
+        result.map(|()| (bytes, companions)).map_err(|e| format!("{e:?}"))
     };
     let (drawings, mut successes) = (drawings::all(), 0);
     for (way, (adapters, exporters)) in ways.all() {
@@ -110,6 +112,16 @@ fn dxf() {
 fn geojson() {
     let anchors = ["47.3769,8.5417,12.5", "-17,180,300", "91,0,0", "north"];
     exporter("planform-geojson", planform_geojson::exporter().as_ref(), &[], &anchors);
+}
+
+#[test]
+fn ros_map() {
+    exporter("planform-ros-map", planform_ros_map::exporter().as_ref(), &["0.1", "1e-300"], &[]);
+}
+
+#[test]
+fn graph() {
+    exporter("planform-graph", planform_graph::exporter().as_ref(), &[], &[]);
 }
 
 #[test]

@@ -13,8 +13,8 @@ use planform_sdk::abi::host::Plugin;
 use planform_sdk::abi::plugin::Tables;
 use planform_sdk::{
     Boundary, Cell, Confidence, Document, ErrorKind, Exporter, Grid, InputAdapter, Layout, OptionSpec,
-    Options, Picture, Place, PluginError, PluginInfo, Pose, Probe, Provenance, ReadWatcher, Scene, Segment,
-    Source, Wall,
+    Options, Output, Picture, Place, PluginError, PluginInfo, Pose, Probe, Provenance, ReadWatcher, Scene,
+    Segment, Source, Wall,
 };
 use proptest::prelude::*;
 use std::io::Write;
@@ -252,6 +252,44 @@ fn a_panic_is_an_error_that_says_where() {
     let e = read(&reader(|_| panic!("no wall is as thick as {}", 7)), b"").unwrap_err();
     assert_eq!(e.kind, ErrorKind::Plugin);
     assert!(e.message.contains("no wall is as thick as 7"), "{e}");
+}
+
+/// An exporter whose documents have two companions.
+struct Pair {
+    info: PluginInfo,
+    companions: [String; 2],
+}
+
+impl Exporter for Pair {
+    fn info(&self) -> &PluginInfo {
+        &self.info
+    }
+
+    fn write(&self, _: &Document<'_>, _: &Options, _: &mut dyn Write) -> Result<(), PluginError> {
+        Err(PluginError::new(ErrorKind::Unsupported, "it needs a name"))
+    }
+
+    fn companions(&self) -> &[String] {
+        &self.companions
+    }
+
+    fn write_files(&self, _: &Document<'_>, _: &Options, output: Output<'_>) -> Result<(), PluginError> {
+        write!(output.file, "{} {}", output.stem, output.extension)?;
+        output.companions[1].extend(b"\0second");
+        Ok(())
+    }
+}
+
+#[test]
+fn companions_cross_with_the_name_of_their_document() {
+    let companions = ["pgm", "tar.gz"].map(String::from);
+    let plugin = crossed(vec![], vec![Box::new(Pair { info: info("pair"), companions: companions.clone() })]);
+    assert_eq!(plugin.exporters[0].companions(), companions);
+    let (layout, mut file, mut beside) = (Layout::default(), vec![], vec![vec![]; 2]);
+    let document = Document { layout: &layout, scene: None };
+    let output = Output { stem: "Straße 1", extension: "Yaml", file: &mut file, companions: &mut beside };
+    plugin.exporters[0].write_files(&document, &options(&[]), output).unwrap();
+    assert_eq!((file.as_slice(), beside), ("Straße 1 Yaml".as_bytes(), vec![vec![], b"\0second".to_vec()]));
 }
 
 #[test]

@@ -1,0 +1,116 @@
+//! How well a robot finds itself on the grid that was made of its log, and on the map of that grid's layout.
+//!
+//! `cargo run --release -p planform-localise --example logs -- LOG...`, with CARMEN logs that hold corrected poses and
+//! odometry, plain or packed with gzip. Prints a table for docs/robots.md.
+#![allow(clippy::unwrap_used)]
+
+use flate2::read::MultiGzDecoder;
+use planform::reconstruct::{Params as Reconstruction, reconstruct};
+use planform_localise::{Errors, Field, Filter, Frame, Params, Sweep, distance, follow};
+use planform_radish::log::{self, LaserChoice, Log, Scan};
+use planform_sdk::{Document, Grid, Layout, Options, Output, Pose, Scene, Source};
+use std::fs;
+use std::io::{BufReader, Read};
+use std::path::Path;
+use std::time::Instant;
+
+/// How many starts from anywhere each map gets, evenly along the log.
+const STARTS: usize = 10;
+
+/// A start from anywhere has this way to find the robot, metres.
+const WAY: f64 = 40.0;
+
+/// It is found if it is no farther off than this, metres, for its last sweeps.
+const FOUND: f64 = 0.5;
+const LAST: usize = 10;
+
+/// Standard deviations of where tracking begins: metres and radians.
+const START: [f64; 2] = [0.1, 0.05];
+
+fn main() {
+    println!("| log | map | position: median, 95 % (m) | heading: median, 95 % (°) | found from anywhere |");
+    println!("| --- | --- | --- | --- | --- |");
+    for path in std::env::args().skip(1) {
+        measure(Path::new(&path));
+    }
+}
+
+fn measure(path: &Path) {
+    let source = Source::open(path, Source::BYTE_LIMIT).unwrap();
+    let frames = frames(&read_log(&source.bytes));
+    let adapter = planform_radish::adapter();
+    let scene = adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap();
+    let layout = reconstruct(&scene, &Reconstruction::default(), &mut ()).unwrap();
+    for (name, grid) in [("its grid", scene.grid.clone()), ("its layout", mapped(&layout, &scene))] {
+        let begun = Instant::now();
+        let field = Field::new(grid, 1.0);
+        let [position, far, heading, turned] = tracked(&field, &frames).summary();
+        let (found, starts) = found(&field, &frames);
+        let (heading, turned) = (heading.to_degrees(), turned.to_degrees());
+        println!(
+            "| {} | {name} | {position:.3}, {far:.3} | {heading:.2}, {turned:.2} | {found} of {starts} |",
+            source.name()
+        );
+        eprintln!("{:.1?}", begun.elapsed());
+    }
+}
+
+fn read_log(bytes: &[u8]) -> Log {
+    let text: Box<dyn Read> =
+        if bytes.starts_with(&[0x1f, 0x8b]) { Box::new(MultiGzDecoder::new(bytes)) } else { Box::new(bytes) };
+    log::read(BufReader::new(text), LaserChoice::default()).unwrap()
+}
+
+/// The scans with both their poses.
+fn frames(log: &Log) -> Vec<Frame> {
+    let pose = |p: log::Pose| Pose { x: p.x, y: p.y, yaw: p.theta };
+    let sweep = |s: &Scan| Sweep {
+        ranges: s.ranges.clone(),
+        first_angle: s.first_angle,
+        step: s.step,
+        max_range: s.max_range,
+    };
+    let frame = |s: &Scan| Some(Frame { odometry: pose(s.odometry?), truth: pose(s.pose), sweep: sweep(s) });
+    log.scans.iter().filter_map(frame).collect()
+}
+
+/// The map of the layout as a map server reads it.
+fn mapped(layout: &Layout, scene: &Scene) -> Grid {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut yaml, mut pictures) = (vec![], [vec![]]);
+    let output = Output { stem: "map", extension: "yaml", file: &mut yaml, companions: &mut pictures };
+    let document = Document { layout, scene: Some(scene) };
+    planform_ros_map::exporter().write_files(&document, &Options::default(), output).unwrap();
+    fs::write(folder.path().join("map.yaml"), yaml).unwrap();
+    fs::write(folder.path().join("map.pgm"), &pictures[0]).unwrap();
+    let source = Source::open(folder.path().join("map.yaml"), Source::BYTE_LIMIT).unwrap();
+    let adapter = planform_slam_grid::adapter();
+    adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap().grid
+}
+
+fn tracked(field: &Field, frames: &[Frame]) -> Errors {
+    let Some(first) = frames.first() else { return Errors::default() };
+    let mut filter = Filter::at(field, Params::default(), first.truth, START, 1);
+    follow(&mut filter, frames)
+}
+
+/// How many starts from anywhere find the robot, and how many there were.
+fn found(field: &Field, frames: &[Frame]) -> (usize, usize) {
+    let starts: Vec<usize> = (0..STARTS).map(|i| i * frames.len() / STARTS).collect();
+    let finds = |start: &usize| {
+        let mut filter = Filter::anywhere(field, Params::default(), *start as u64);
+        follow(&mut filter, a_way(&frames[*start..])).at_the_end(LAST) <= FOUND
+    };
+    let found = planform_synth::parallel_map(&starts, finds);
+    (found.into_iter().filter(|f| *f).count(), STARTS)
+}
+
+/// The first frames, up to the way that a start from anywhere has.
+fn a_way(frames: &[Frame]) -> &[Frame] {
+    let mut way = 0.0;
+    let short = frames.windows(2).take_while(|pair| {
+        way += distance(pair[0].odometry, pair[1].odometry);
+        way < WAY
+    });
+    &frames[..short.count()]
+}
