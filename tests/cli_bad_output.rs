@@ -82,7 +82,7 @@ fn read_only_folder() {
 fn the_input_itself() {
     let w = Workshop::new();
     let map = w.read("map.yaml");
-    w.refuses("convert map.yaml -o ./map.yaml --to svg --force", 2, &["map.yaml: ", "input"]);
+    w.refuses("convert map.yaml -o ./map.yaml --force", 2, &["map.yaml: ", "input"]);
     assert_eq!(w.read("map.yaml"), map);
 }
 

@@ -1,12 +1,14 @@
 //! How well a robot finds itself on the grid that was made of its log, and on the map of that grid's layout.
 //!
 //! `cargo run --release -p planform-localise --example logs -- LOG...`, with CARMEN logs that hold corrected poses and
-//! odometry, plain or packed with gzip. Prints a table for docs/robots.md.
+//! odometry, plain or packed with gzip; for a log that keeps no odometry it is simulated. Prints a table for docs/robots.md.
 #![allow(clippy::unwrap_used)]
 
 use flate2::read::MultiGzDecoder;
 use planform::reconstruct::{Params as Reconstruction, reconstruct};
-use planform_localise::{Errors, Field, Filter, Frame, Params, Sweep, distance, follow};
+use planform_localise::{
+    Errors, Field, Filter, Frame, Motion, Params, Random, Sweep, Walk, distance, follow,
+};
 use planform_radish::log::{self, LaserChoice, Log, Scan};
 use planform_sdk::{Document, Grid, Layout, Options, Output, Pose, Scene, Source};
 use std::fs;
@@ -70,8 +72,23 @@ fn frames(log: &Log) -> Vec<Frame> {
         step: s.step,
         max_range: s.max_range,
     };
-    let frame = |s: &Scan| Some(Frame { odometry: pose(s.odometry?), truth: pose(s.pose), sweep: sweep(s) });
-    log.scans.iter().filter_map(frame).collect()
+    let truth: Vec<_> = log.scans.iter().map(|s| pose(s.pose)).collect();
+    let of_log: Option<Vec<_>> = log.scans.iter().map(|s| s.odometry.map(pose)).collect();
+    let odometry = of_log.unwrap_or_else(|| simulated(&truth));
+    let frame = |((s, truth), odometry)| Frame { odometry, truth, sweep: sweep(s) };
+    log.scans.iter().zip(truth).zip(odometry).map(frame).collect()
+}
+
+/// Odometry of a robot that took this way, for a log that keeps none.
+fn simulated(truth: &[Pose]) -> Vec<Pose> {
+    let (mut random, noise) = (Random::new(1), Walk::default().noise);
+    let mut odometry: Vec<Pose> = truth.first().copied().into_iter().collect();
+    for (pair, i) in truth.windows(2).zip(0..) {
+        let step = Motion::between(pair[0], pair[1]).sample(&noise, &mut random);
+        let next = step.lead(odometry[i]);
+        odometry.push(next);
+    }
+    odometry
 }
 
 /// The map of the layout as a map server reads it.

@@ -26,7 +26,7 @@
 #define PLANFORM_ABI_MAJOR 1
 
 // See PLANFORM_ABI_MAJOR.
-#define PLANFORM_ABI_MINOR 1
+#define PLANFORM_ABI_MINOR 2
 
 // It did what it was asked.
 #define PLANFORM_OK 0
@@ -418,6 +418,15 @@ typedef struct PlanformOutput {
   PlanformStatus (*write)(void *context, const uint8_t *bytes, size_t length);
   // Takes what went wrong and returns its status, for the exporter to return.
   PlanformStatus (*fail)(void *context, const struct PlanformProblem *problem);
+  // The file's name up to its extension, for what refers to its companions. Since version 1.2: only there if `size`
+  // says so.
+  struct PlanformString stem;
+  // Its extension without the dot, as the user typed it; empty for what is no file. Since version 1.2: only there if
+  // `size` says so.
+  struct PlanformString extension;
+  // Takes the next bytes of a companion, by its place in PlanformExporter.companions from 0; otherwise as `write`.
+  // Since version 1.2: only there if `size` says so.
+  PlanformStatus (*companion)(void *context, size_t number, const uint8_t *bytes, size_t length);
 } PlanformOutput;
 
 // Writes layouts in one format. Valid for ever.
@@ -434,6 +443,10 @@ typedef struct PlanformExporter {
                           const struct PlanformDocument *document,
                           const struct PlanformJson *options,
                           const struct PlanformOutput *output);
+  // The extensions of the files that lie beside a document of this format, without the dot, lower case: the
+  // companion "pgm" of map.yaml is map.pgm. NULL ends the list. The list itself may be NULL, and most are. Since
+  // version 1.2.
+  const char *const *companions;
 } PlanformExporter;
 
 // What a plugin library offers. Valid for ever.

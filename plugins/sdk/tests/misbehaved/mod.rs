@@ -373,6 +373,7 @@ fn exporters_that_break_the_rules_are_refused() {
             info: leak(info(c"bad")),
             data: ptr::null_mut(),
             write: Some(write),
+            companions: std::ptr::null(),
         };
         let plugin = load(plugin(vec![], vec![leak(exporter)])).unwrap();
         let layout = Layout::default();
