@@ -62,7 +62,7 @@ impl InputAdapter for Radish {
         paint::grid(&grid, watcher);
         let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
         scene.warnings = log.warnings;
-        scene.warnings.push(chosen.note);
+        scene.warnings.extend(chosen.note);
         Ok(scene)
     }
 }

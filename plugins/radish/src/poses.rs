@@ -5,12 +5,12 @@ use crate::matching::{MatchingParams, corrected};
 use crate::options::Poses;
 use planform_sdk::{ErrorKind, PluginError};
 
-/// One pose for each scan, and a sentence on where they come from.
+/// One pose for each scan, and where they come from.
 pub struct Chosen {
     /// In the order of the scans.
     pub poses: Vec<Pose>,
-    /// For the user's eyes.
-    pub note: String,
+    /// A sentence for the user's eyes, unless they are those of a corrected log, as anybody would expect.
+    pub note: Option<String>,
 }
 
 /// The poses that are asked for.
@@ -18,16 +18,14 @@ pub struct Chosen {
 /// # Errors
 /// When the log does not have what they are made of.
 pub fn choose(log: &Log, asked: Poses) -> Result<Chosen, PluginError> {
-    let chosen = |poses, note: &str| Ok(Chosen { poses, note: note.into() });
-    match (asked, log.poses) {
-        (Poses::Auto | Poses::Log, PoseKind::Corrected) => {
-            chosen(stated(log), "the poses are those of the log, which were corrected before")
-        }
+    Ok(match (asked, log.poses) {
+        (Poses::Auto | Poses::Log, PoseKind::Corrected) => Chosen { poses: stated(log), note: None },
         (Poses::Log, PoseKind::Odometry) | (Poses::Odometry, _) => {
-            chosen(odometry(log)?, "the poses are odometry alone, and walls may be bent or double")
+            let note = "the poses are odometry alone, and walls may be bent or double";
+            Chosen { poses: odometry(log)?, note: Some(note.into()) }
         }
-        (Poses::Auto | Poses::Matched, _) => Ok(matched(log)),
-    }
+        (Poses::Auto | Poses::Matched, _) => matched(log),
+    })
 }
 
 fn stated(log: &Log) -> Vec<Pose> {
@@ -59,5 +57,5 @@ fn matched(log: &Log) -> Chosen {
         log.scans.len(),
         found.loops
     );
-    Chosen { poses: found.poses, note }
+    Chosen { poses: found.poses, note: Some(note) }
 }
