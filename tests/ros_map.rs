@@ -1,5 +1,5 @@
-//! The exporter `ros-map` on buildings whose truth is known: what it writes, read again, has the same rooms; and its two
-//! files appear together or not at all.
+//! The exporter `ros-map` on buildings whose truth is known: what it writes, read again, has the same rooms; and its
+//! two files appear together or not at all.
 //!
 //! For other maps: `cargo test --test ros_map -- --ignored --nocapture`, with `MAPS` a list of YAML files, separated by
 //! colons.
@@ -45,8 +45,8 @@ fn mapped(layout: &Layout, grid: &Grid) -> Grid {
 struct Kept {
     room: RoomId,
     overlap: f64,
-    /// Whether there is a piece of wall beside every opening of it. Where a passage is as wide as its wall there is nothing to
-    /// draw, and the reader parts the floor as it sees fit.
+    /// Whether there is a piece of wall beside every opening of it. Where a passage is as wide as its wall there is
+    /// nothing to draw, and the reader parts the floor as it sees fit.
     walled: bool,
 }
 

@@ -1,7 +1,8 @@
 //! How well a robot finds itself on the grid that was made of its log, and on the map of that grid's layout.
 //!
 //! `cargo run --release -p planform-localise --example logs -- LOG...`, with CARMEN logs that hold corrected poses and
-//! odometry, plain or packed with gzip; for a log that keeps no odometry it is simulated. Prints a table for docs/robots.md.
+//! odometry, plain or packed with gzip; for a log that keeps no odometry it is simulated. Prints a table for
+//! docs/robots.md.
 #![allow(clippy::unwrap_used)]
 
 use flate2::read::MultiGzDecoder;

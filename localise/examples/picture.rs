@@ -1,4 +1,5 @@
-//! Draws docs/robots.svg: the way of a robot by the particle filter and as it was, on the layout that it finds itself on.
+//! Draws docs/robots.svg: the way of a robot by the particle filter and as it was, on the layout that it finds itself
+//! on.
 //!
 //! `cargo run --release -p planform-localise --example picture > docs/robots.svg`
 #![allow(clippy::unwrap_used)]

@@ -10,7 +10,8 @@ use std::f64::consts::TAU;
 pub struct Params {
     /// How wrong odometry is.
     pub motion: MotionNoise,
-    /// How far an echo lies from the wall that it comes from, standard deviation, metres: noise of the laser and of the map.
+    /// How far an echo lies from the wall that it comes from, standard deviation, metres: noise of the laser and of
+    /// the map.
     pub sigma: f64,
     /// The share of echoes that come from what is not on the map.
     pub unexplained: f64,
@@ -157,8 +158,9 @@ impl<'a> Filter<'a> {
         echoes.iter().map(one).sum()
     }
 
-    /// How much farther off than usual an echo may be: particles that fill a whole building are too far apart for one to be
-    /// right to a hand's breadth, and the nearest to the truth must not lose to one that fits elsewhere by chance.
+    /// How much farther off than usual an echo may be: particles that fill a whole building are too far apart for one
+    /// to be right to a hand's breadth, and the nearest to the truth must not lose to one that fits elsewhere by
+    /// chance.
     fn coarseness(&self) -> f64 {
         (self.boxes as f64 / FEW_BOXES).cbrt().clamp(1.0, COARSEST)
     }

@@ -20,8 +20,8 @@ pub use world::{Laser, Walk, World};
 
 use planform_sdk::Pose;
 
-/// One sweep of a laser: `ranges[i]` in metres is the beam at `first_angle + i * step`, radians counter-clockwise from the
-/// laser's heading. A range at or beyond `max_range`, zero or NaN is no echo.
+/// One sweep of a laser: `ranges[i]` in metres is the beam at `first_angle + i * step`, radians counter-clockwise from
+/// the laser's heading. A range at or beyond `max_range`, zero or NaN is no echo.
 #[derive(Debug, Clone)]
 pub struct Sweep {
     /// Metres to what each beam hit.

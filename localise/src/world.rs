@@ -215,7 +215,7 @@ mod tests {
 
     /// A hall of 10 m by 6 m with walls around it.
     fn hall() -> World {
-        let wall = |x: usize, y: usize| x < 2 || x >= 102 || y < 2 || y >= 62;
+        let wall = |x: usize, y: usize| !(2..102).contains(&x) || !(2..62).contains(&y);
         let cell = |i: usize| if wall(i % 104, i / 104) { Cell::OCCUPIED } else { Cell::FREE };
         let origin = Pose { x: 1.0, y: -1.0, yaw: 0.5 };
         World::new(Grid::new(104, 64, 0.1, origin, (0..104 * 64).map(cell).collect()).unwrap())

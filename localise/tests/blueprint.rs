@@ -1,5 +1,5 @@
-//! From a drawing to a robot: a made-up building's plan is read, its layout written as a map, and a robot in the building
-//! finds itself on that map, wherever it starts.
+//! From a drawing to a robot: a made-up building's plan is read, its layout written as a map, and a robot in the
+//! building finds itself on that map, wherever it starts.
 
 // Clippy knows the tests themselves, but not what they call.
 #![allow(clippy::unwrap_used)]

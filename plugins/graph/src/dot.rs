@@ -3,7 +3,8 @@
 use crate::graph::{Attributes, Graph, Node, Value};
 use std::io::{self, Write};
 
-/// Writes the graph. Beside its attributes a node has a `label`, and where it has a place also `pos`, in metres, with which
+/// Writes the graph. Beside its attributes a node has a `label`, and where it has a place also `pos`, in metres, with
+/// which
 /// `neato -n` draws it as the map lies.
 pub fn write(graph: &Graph, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "graph layout {{\n// {}", crate::graph::GENERATOR)?;
@@ -48,8 +49,8 @@ fn list<'a>(first: impl Iterator<Item = (&'a str, String)>, attributes: &'a Attr
     first.chain(rest).map(|(name, value)| format!("{name}={value}")).collect::<Vec<_>>().join(", ")
 }
 
-/// The text in quotes, in which DOT knows no other code than that of the quote itself. A text cannot hold a zero byte, and
-/// a backslash at its end would hide the quote.
+/// The text in quotes, in which DOT knows no other code than that of the quote itself. A text cannot hold a zero byte,
+/// and a backslash at its end would hide the quote.
 fn quoted(text: &str) -> String {
     let text = text.replace('\0', "\u{fffd}").replace('"', "\\\"");
     let odd = text.chars().rev().take_while(|c| *c == '\\').count() % 2 == 1;

@@ -1,8 +1,8 @@
 //! How far it is from one point of a room to another.
 //!
 //! Shortest ways among obstacles run from corner to corner (Lozano-Pérez and Wesley, "An algorithm for planning
-//! collision-free paths among polyhedral obstacles", 1979), of which only those count that point into the floor. Dijkstra's
-//! algorithm finds them in the graph of the corners that see each other.
+//! collision-free paths among polyhedral obstacles", 1979), of which only those count that point into the floor.
+//! Dijkstra's algorithm finds them in the graph of the corners that see each other.
 
 use crate::place::{edges, nearest};
 use planform_sdk::{Point, Polygon};

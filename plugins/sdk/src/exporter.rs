@@ -10,7 +10,8 @@ pub trait Exporter: Send + Sync {
     /// Name, extensions, options.
     fn info(&self) -> &PluginInfo;
 
-    /// Writes the document, without the companions that it may have. `out` is buffered by the host and thrown away if an error is returned.
+    /// Writes the document, without the companions that it may have. `out` is buffered by the host and thrown away if
+    /// an error is returned.
     fn write(
         &self,
         document: &Document<'_>,
@@ -39,7 +40,8 @@ pub trait Exporter: Send + Sync {
 pub struct Output<'a> {
     /// The document's file name up to its extension, for what refers to its companions.
     pub stem: &'a str,
-    /// The extension without its dot, as the user typed it: it may be none of the exporter's. Empty for what is no file.
+    /// The extension without its dot, as the user typed it: it may be none of the exporter's. Empty for what is no
+    /// file.
     pub extension: &'a str,
     /// The document; as in [`Exporter::write`].
     pub file: &'a mut dyn Write,
