@@ -255,7 +255,7 @@ fn plugins_are_named_where_formats_are() {
     w.refuses(
         "convert map.yaml -o a.svg --from exist --plugin-dir p",
         2,
-        &["`exist`", "slam-grid, blueprint, exit"],
+        &["`exist`", "slam-grid, blueprint, radish, exit"],
     );
     assert!(w.does("plugins info exit --plugin-dir p").0.contains("from         p/exit.so"));
     w.refuses("plugins info exist --plugin-dir p", 2, &["there is no plugin `exist`", "exit"]);
