@@ -1,6 +1,7 @@
 //! What the adapter says of itself, and its options.
 
 use crate::inputs::PageRequest;
+use crate::words::measures::{self, Measure};
 use crate::words::{OcrMode, WordOptions};
 use planform_sdk::{
     Bounds, ErrorKind, OptionKind, OptionSpec, OptionValue, Options, PluginError, PluginInfo,
@@ -70,6 +71,7 @@ fn specs() -> Vec<OptionSpec> {
     let text = |name: &str, help: &str, default: Option<&str>| {
         OptionSpec::new(name, help, OptionKind::Text, default.map(|d| OptionValue::Text(d.into())))
     };
+    let metres = Bounds { min: Some(1e-4), max: Some(10.0), ..Bounds::default() };
     let whole = Bounds { min: Some(1.0), whole: true, ..Bounds::default() };
     let dpi = Bounds { min: Some(10.0), max: Some(2400.0), ..Bounds::default() };
     vec![
@@ -80,8 +82,8 @@ fn specs() -> Vec<OptionSpec> {
             "The drawing's scale, such as 1:100; pictures need `dpi` with it unless they say it",
             None,
         ),
-        number("metres-per-pixel", "Metres per pixel, where it is known", Bounds::above(0.0), None),
-        number("resolution", "The same as metres-per-pixel", Bounds::above(0.0), None),
+        number("metres-per-pixel", "Metres per pixel, where it is known", metres.clone(), None),
+        number("resolution", "The same as metres-per-pixel", metres, None),
         text(
             "known-distance",
             "X1,Y1,X2,Y2,M: two points in pixels from the upper left corner that are M metres apart",
@@ -143,7 +145,8 @@ fn known_scale(options: &Options) -> Result<KnownScale, PluginError> {
         return Ok(KnownScale::MetresPerPixel(metres));
     }
     if let Some(text) = options.text("scale") {
-        let ratio = ratio(text).ok_or_else(|| refuse("scale", text, "a scale such as 1:100"))?;
+        let ratio =
+            ratio(text).ok_or_else(|| refuse("scale", text, "a scale such as 1:100 or 1/8\"=1'0\""))?;
         return Ok(KnownScale::Ratio(ratio));
     }
     options.text("known-distance").map_or(Ok(KnownScale::Unknown), |text| {
@@ -173,8 +176,13 @@ fn refuse(name: &str, value: &str, expected: &str) -> PluginError {
 
 fn ratio(text: &str) -> Option<f64> {
     let (paper, world) = text.split_once(':').or_else(|| text.split_once('/')).unwrap_or(("1", text));
-    let ratio = world.trim().parse::<f64>().ok()? / paper.trim().parse::<f64>().ok()?;
-    (0.1..=1e5).contains(&ratio).then_some(ratio)
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let plain = number(world).zip(number(paper)).map(|(world, paper)| world / paper);
+    let written = || match measures::parse(text) {
+        Some(Measure::Ratio(ratio)) => Some(ratio),
+        _ => None,
+    };
+    plain.or_else(written).filter(|ratio| (0.1..=1e5).contains(ratio))
 }
 
 fn distance(text: &str) -> Option<KnownScale> {

@@ -105,8 +105,8 @@ fn find_symbols(
     };
     let without = symbols::find(sheet, ink, library, None, &mut Unwatched);
     match doubt::refute(chosen, &found.symbols, &without.symbols) {
-        Some(sentence) => (without, vec![sentence]),
-        None => (found, Vec::new()),
+        Some(sentence) if chosen.confidence < scale::GOOD => (without, vec![sentence]),
+        said => (found, said.into_iter().collect()),
     }
 }
 

@@ -67,6 +67,7 @@ fn members(layout: &Layout, frame: &Frame) -> Vec<(&'static str, Value)> {
         "provenance",
         json!({"source": layout.provenance.source, "adapter": layout.provenance.adapter}),
     ));
+    members.extend(layout.scale.as_ref().map(|scale| ("scale", json!(scale))));
     members.extend(frame.anchor().map(|anchor| ("anchor", anchor)));
     members
 }

@@ -38,7 +38,7 @@ mod walls;
 use element::{layer, number, title, with_text};
 use picture::Part;
 use planform_sdk::{
-    Boundary, Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, Point, Scene,
+    Boundary, Document, ErrorKind, Exporter, Grid, Layout, Options, PluginError, Point, Scale, Scene,
 };
 use sheet::Sheet;
 use std::io::Write;
@@ -111,14 +111,20 @@ fn root(sheet: &Sheet, scale: f64) -> Result<SVG, PluginError> {
 
 fn description(layout: &Layout, sheet: &Sheet) -> String {
     let Point { x, y } = sheet.origin;
-    format!(
+    let drawn = format!(
         "Drawn by planform {} with the method {:?}. One unit is one metre; the point (x, y) of the drawing is \
          ({} + x, {} - y) in the map frame.",
         env!("CARGO_PKG_VERSION"),
         layout.method,
         number(x),
         number(y),
-    )
+    );
+    drawn + &layout.scale.as_ref().map(scale_found).unwrap_or_default()
+}
+
+/// How large the building is was not measured: whoever measures in the drawing should know.
+fn scale_found(scale: &Scale) -> String {
+    format!(" The scale is {}, {:.0} % sure.", scale.source, 100.0 * scale.confidence)
 }
 
 fn paper(sheet: &Sheet) -> Group {

@@ -28,12 +28,12 @@ pub fn draw(layout: &Layout, boundary: Boundary, sheet: &Sheet) -> Group {
     let fills = fills(layout);
     let paths = layout.rooms.iter().map(|room| {
         let fill = fills.get(&room.id).copied().unwrap_or_default();
-        path(room, boundary.of(room), fill, sheet)
+        path(room, &name(room, layout), boundary.of(room), fill, sheet)
     });
     paths.fold(layer("rooms"), Group::add)
 }
 
-fn path(room: &Room, outline: &Polygon, fill: usize, sheet: &Sheet) -> Path {
+fn path(room: &Room, name: &str, outline: &Polygon, fill: usize, sheet: &Sheet) -> Path {
     let state = match room.state {
         RoomState::Complete => "complete",
         RoomState::Partial => "partial",
@@ -47,12 +47,18 @@ fn path(room: &Room, outline: &Polygon, fill: usize, sheet: &Sheet) -> Path {
         .set("data-area", number(room.area()))
         .set("fill-rule", "evenodd")
         .set("d", data)
-        .add(title(&format!("{}, {}, {state}", name(room), area(room))))
+        .add(title(&format!("{name}, {}, {state}", area(room))))
 }
 
-/// What people call a room: its name, or its number.
-fn name(room: &Room) -> String {
-    room.name.clone().filter(|n| !n.trim().is_empty()).unwrap_or_else(|| room.id.to_string())
+fn given_name(room: &Room) -> Option<&str> {
+    room.name.as_deref().filter(|n| !n.trim().is_empty())
+}
+
+/// What people call a room: its name, or its number, as `#7` where other rooms have names, which may be numbers too.
+fn name(room: &Room, layout: &Layout) -> String {
+    let others = || layout.rooms.iter().any(|r| given_name(r).is_some());
+    let number = || format!("{}{}", if others() { "#" } else { "" }, room.id);
+    given_name(room).map_or_else(number, str::to_owned)
 }
 
 fn area(room: &Room) -> String {
@@ -97,12 +103,16 @@ fn neighbours(layout: &Layout) -> BTreeMap<RoomId, BTreeSet<RoomId>> {
 
 /// The layer `labels`: name or number, and area, as large as the room allows.
 pub fn label(layout: &Layout, boundary: Boundary, sheet: &Sheet) -> Group {
-    layout.rooms.iter().filter_map(|r| label_one(r, boundary.of(r), sheet)).fold(layer("labels"), Group::add)
+    layout
+        .rooms
+        .iter()
+        .filter_map(|r| label_one(r, &name(r, layout), boundary.of(r), sheet))
+        .fold(layer("labels"), Group::add)
 }
 
-fn label_one(room: &Room, outline: &Polygon, sheet: &Sheet) -> Option<Group> {
-    let (name, area) = (name(room), area(room));
-    let width = ems(&name).max(AREA_LINE * ems(&area));
+fn label_one(room: &Room, name: &str, outline: &Polygon, sheet: &Sheet) -> Option<Group> {
+    let area = area(room);
+    let width = ems(name).max(AREA_LINE * ems(&area));
     let spot = roomiest(outline, width / LINES)?;
     // The largest box in the spot's ellipse is smaller than it by the root of two.
     let size = (std::f64::consts::SQRT_2 * spot.radius / LINES).clamp(SMALLEST, LETTERING);
@@ -111,7 +121,7 @@ fn label_one(room: &Room, outline: &Polygon, sheet: &Sheet) -> Option<Group> {
         Group::new()
             .set("id", format!("label-{}", room.id))
             .set("class", "label")
-            .add(line(&name, "name", Point::new(at.x, at.y - 0.15 * size), size))
+            .add(line(name, "name", Point::new(at.x, at.y - 0.15 * size), size))
             .add(line(&area, "area", Point::new(at.x, at.y + 0.8 * size), AREA_LINE * size)),
     )
 }
@@ -175,8 +185,7 @@ mod tests {
     fn long_names_are_set_smaller() {
         let sheet = Sheet { origin: Point::new(0.0, 4.0), width: 4.0, height: 4.0 };
         let size = |name: &str| {
-            let room = Room { name: Some(name.into()), ..room(1) };
-            let text = label_one(&room, &room.inner, &sheet).unwrap().to_string();
+            let text = label_one(&room(1), name, &room(1).inner, &sheet).unwrap().to_string();
             let rest = text.split_once("font-size=\"").unwrap().1;
             rest[..rest.find('"').unwrap()].parse::<f64>().unwrap()
         };
@@ -188,6 +197,10 @@ mod tests {
 
     #[test]
     fn blank_name_gives_the_number() {
-        assert_eq!(name(&Room { name: Some(" ".into()), ..room(7) }), "7");
+        let blank = Room { name: Some(" ".into()), ..room(7) };
+        let mut layout = Layout { rooms: vec![blank.clone(), room(8)], ..Layout::default() };
+        assert_eq!(name(&blank, &layout), "7");
+        layout.rooms[1].name = Some("7".into());
+        assert_eq!([name(&blank, &layout), name(&layout.rooms[1], &layout)], ["#7", "7"]);
     }
 }

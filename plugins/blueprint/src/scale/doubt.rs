@@ -18,25 +18,26 @@ const FACTOR: f64 = 1.5;
 /// How sure a refuted scale is; less than doors are.
 const LEFT: f64 = 0.3;
 
-/// Whether a scale is worth a second look, as these symbols were found by it.
+/// Whether a scale is worth a second look, as these symbols were found by it. What a person says is as well: the
+/// paper's scale is easily given with the wrong resolution.
 pub fn is_doubtful(scale: &Estimate, symbols: &[SheetSymbol]) -> bool {
-    (GOOD..SURE).contains(&scale.confidence) && count(symbols) < CONFIRMED
+    scale.confidence >= GOOD && count(symbols) < CONFIRMED
 }
 
 /// What speaks against a scale, if symbols `without` it are found that do; `with` are those found by it. The scale is
-/// then unsure.
+/// then unsure, unless a person said it.
 pub fn refute(scale: &mut Estimate, with: &[SheetSymbol], without: &[SheetSymbol]) -> Option<String> {
     let doors = Widths::of_single(without)?;
     let width = doors.median * scale.metres_per_pixel;
     let is_many = doors.count >= REFUTED && doors.count >= TIMES * count(with);
     let is_door = (USUAL_WIDTH / FACTOR..=USUAL_WIDTH * FACTOR).contains(&width);
     (is_many && !is_door).then(|| {
+        let doors = format!("{} doors would be {width:.2} m wide by the scale {}", doors.count, scale.source);
+        if scale.confidence >= SURE {
+            return format!("{doors}; if that is wrong, give the right one with `--set metres-per-pixel`");
+        }
         scale.confidence = LEFT;
-        format!(
-            "the {} is left aside, for {} doors would be {width:.2} m wide: was the picture scaled since? Give \
-             `--set dpi=...` with the paper's pixels per inch if it is right",
-            scale.source, doors.count
-        )
+        format!("{doors}, which is left aside: the picture was scaled since, or its resolution is not what it says")
     })
 }
 
@@ -56,7 +57,7 @@ mod tests {
     }
 
     fn written(metres_per_pixel: f64) -> Estimate {
-        Estimate { metres_per_pixel, source: "written scale 1:100".into(), confidence: 0.6 }
+        Estimate { metres_per_pixel, source: "written 1:100".into(), confidence: 0.6 }
     }
 
     #[test]
@@ -64,8 +65,18 @@ mod tests {
         let mut wrong = written(0.01);
         assert!(is_doubtful(&wrong, &doors(1)));
         let sentence = refute(&mut wrong, &doors(1), &doors(9)).unwrap();
-        assert!(sentence.contains("9 doors would be 0.30 m wide"), "{sentence}");
+        assert!(
+            sentence.starts_with("9 doors would be 0.30 m wide by the scale written 1:100, which"),
+            "{sentence}"
+        );
         assert!(wrong.confidence < 0.45);
+    }
+
+    #[test]
+    fn what_a_person_says_stands_with_a_warning() {
+        let mut given = Estimate { metres_per_pixel: 0.01, source: "given".into(), confidence: 1.0 };
+        assert!(refute(&mut given, &doors(0), &doors(9)).unwrap().contains("if that is wrong"));
+        assert_eq!(given.confidence, 1.0);
     }
 
     #[test]

@@ -52,9 +52,9 @@ pub fn is_meant(dpi: f64) -> bool {
 pub fn given(ratio: f64, resolution: Option<Resolution>) -> Result<f64, PluginError> {
     let resolution = resolution.ok_or_else(|| {
         let message =
-            "a scale is given, but the picture does not say how many pixels there are to an inch of paper";
-        PluginError::new(ErrorKind::BadOption, message)
-            .advise("add `--set dpi=300` with the scan's resolution")
+            "a scale is given, but not how many pixels there are to an inch of paper (files that claim 72 or 96 seldom \
+             know)";
+        PluginError::new(ErrorKind::BadOption, message).advise("add `--set dpi=300` with the scan's resolution")
     })?;
     Ok(ratio * INCH / resolution.dpi())
 }
