@@ -82,7 +82,7 @@ fn specs() -> Vec<OptionSpec> {
             "The drawing's scale, such as 1:100; pictures need `dpi` with it unless they say it",
             None,
         ),
-        number("metres-per-pixel", "Metres per pixel, where it is known", metres.clone(), None),
+        number("metres-per-pixel", "Metres per pixel, where it is known", metres, None),
         number("resolution", "The same as metres-per-pixel", metres, None),
         text(
             "known-distance",

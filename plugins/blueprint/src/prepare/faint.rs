@@ -116,7 +116,7 @@ mod tests {
 
     /// Two walls, and between them what `tone` says.
     fn found(tone: impl Fn(u32, u32) -> u8) -> usize {
-        let is_wall = |x: u32| x < 10 || x >= 90;
+        let is_wall = |x: u32| !(10..90).contains(&x);
         let grey = GrayImage::from_fn(100, 60, |x, y| Luma([if is_wall(x) { 0 } else { tone(x, y) }]));
         let mut ink = Mask::empty(100, 60);
         (0..6000).for_each(|i| ink.set[i as usize] = is_wall(i % 100));

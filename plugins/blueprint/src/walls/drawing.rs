@@ -35,7 +35,7 @@ impl Drawing {
     }
 
     /// What is set on the sheet, of which this is the drawing, as one flag for every pixel of the drawing.
-    pub fn from_sheet(&self, set: &Mask) -> Vec<bool> {
+    pub fn of_mask(&self, set: &Mask) -> Vec<bool> {
         coarser(set, self.factor)
     }
 

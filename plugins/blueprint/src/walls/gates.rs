@@ -56,7 +56,7 @@ mod tests {
         for (x, y) in (20..184).flat_map(|x| (20..104).map(move |y| (x, y))) {
             let upright = [20, 102, 182].iter().any(|&left| (left..left + 2).contains(&x));
             let is_gap = y > 101 && (104 + 78 - gap..182).contains(&x);
-            wall[y * 220 + x] = !is_gap && (upright || y < 22 || y > 101);
+            wall[y * 220 + x] = !is_gap && (upright || !(22..=101).contains(&y));
             faint[y * 220 + x] = is_gap && y == 102;
         }
         find(&drawing, &wall, &faint).iter().filter(|&&g| g).count()

@@ -147,7 +147,7 @@ fn sure(drawing: &Drawing, lines: &Straight, stroke: f64, read: Read) -> Sure {
 
 /// Adds gates that are drawn too faintly to be ink.
 fn add_gates(drawing: &Drawing, sheet: &Sheet, sure: &mut Sure) {
-    let faint = drawing.from_sheet(&faint::lines(&sheet.grey, &sheet.ink));
+    let faint = drawing.of_mask(&faint::lines(&sheet.grey, &sheet.ink));
     let gates = gates::find(drawing, &sure.wall, &faint);
     for i in (0..gates.len()).filter(|&i| gates[i] && !sure.doors[i]) {
         (sure.band[i], sure.wall[i]) = (true, true);
