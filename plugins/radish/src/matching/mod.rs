@@ -1,12 +1,12 @@
 //! Scan matching: from laser scans with the odometry of wheels to the poses at which the scans fit each other.
 //!
-//! 1. Each scan that is some way from the last one is laid over those shortly before it, [`track`]: by correlative search
+//! 1. Each scan that is some way from the last one is laid over those shortly before it, `track`: by correlative search
 //!    around where odometry expects it, then by least squares from points to lines.
-//! 2. Stretches of the path are laid over older ones nearby, [`closure`]; what fits becomes a step of a graph of poses,
-//!    whose error is then spread over all of it, [`graph`].
+//! 2. Stretches of the path are laid over older ones nearby, `closure`; what fits becomes a step of a graph of poses,
+//!    whose error is then spread over all of it, `graph`.
 //! 3. The scans in between follow those that were matched.
 //!
-//! The system of equations of that graph is solved by our own [`eliminate`], as the crates that do it would bring along
+//! The system of equations of that graph is solved by our own `eliminate`, as the crates that do it would bring along
 //! a C compiler or some fifty other crates, or leave the order of elimination to their callers.
 
 mod align;

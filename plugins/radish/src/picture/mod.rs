@@ -2,8 +2,8 @@
 //! drawn over them in colours, or with unknown space in a colour.
 //!
 //! A pixel is coloured or grey. A colour that fills wide areas is unknown space; other colours are lines drawn over the
-//! map, and their pixels become what lies around them ([`lines`]). Of the greys the frequent ones are found, and told
-//! apart by where they are ([`greys`]).
+//! map, and their pixels become what lies around them (`lines`). Of the greys the frequent ones are found, and told
+//! apart by where they are (`greys`).
 
 mod backdrop;
 mod claim;
