@@ -48,7 +48,7 @@ pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<R
     let (mut symbols, refuted) = find_symbols(&sheet, &ink, &library, &mut estimates, stages);
     symbols.symbols.iter_mut().for_each(doorways::straighten);
     symbols.symbols.extend(page.symbols.iter().map(|s| symbol_on_sheet(&sheet, s)));
-    let ink = ink.without(&symbols.erase);
+    let ink = ink.without(&symbols.erase).with(&symbols.hidden);
     let by_doors = || scale::by_doors(&symbols.symbols).map(|e| e.metres_per_pixel);
     let guess = good(&estimates).or_else(by_doors);
     let read = walls::Read { texts: &words.texts, symbols: &symbols.symbols };

@@ -1,5 +1,6 @@
 //! Symbols: found, told what they mean, and taken off the drawing.
 
+mod behind;
 mod blobs;
 mod bowls;
 mod doors;
@@ -44,6 +45,8 @@ pub struct Symbols {
     pub symbols: Vec<SheetSymbol>,
     /// The pixels that draw them, and nothing else.
     pub erase: Mask,
+    /// The pixels of walls that signs hide.
+    pub hidden: Mask,
 }
 
 /// Leaves of doors, metres.
@@ -72,9 +75,12 @@ pub fn find(
     stages: &mut dyn Stages,
 ) -> Symbols {
     let metres_per_pixel = metres_per_pixel.filter(|m| *m > 0.0 && m.is_finite());
-    let mut found = Symbols { symbols: Vec::new(), erase: Mask::empty(ink.width, ink.height) };
+    let nothing = || Mask::empty(ink.width, ink.height);
+    let mut found = Symbols { symbols: Vec::new(), erase: nothing(), hidden: nothing() };
     signs(sheet, ink, library, metres_per_pixel, &mut found);
     let rest = ink.clone().without(&found.erase);
+    found.symbols.iter().for_each(|sign| behind::walls(&rest, sign, &mut found.hidden));
+    let rest = rest.with(&found.hidden);
     let view = best_view(&rest, metres_per_pixel);
     if let Some(view) = &view {
         found.symbols.extend(doors::doors(&view.plane, &rest, &view.swings, &mut found.erase));
