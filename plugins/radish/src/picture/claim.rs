@@ -14,11 +14,15 @@ const FEWEST_LINES: f64 = 0.0002;
 /// How many of the grey pixels have the three most frequent greys at least.
 const FEW_GREYS: f64 = 0.85;
 
-/// How near to white paper is.
+/// How near to white paper is, and how much darker than the light areas unknown space around a map is.
 const PAPER: u8 = 245;
+const DARKER: u8 = 20;
 
-/// How much of the border may be paper in a map.
+/// How much of the border may be as light as paper or as free space in a map.
 const BORDER: f64 = 0.5;
+
+/// A grey and those so near to it are one: JPEG blurs them a little. Paper that is lit unevenly has many more.
+const NEAR: usize = 4;
 
 /// How much of a map is light areas, and how much is dark, at least.
 const SPACE: f64 = 0.03;
@@ -50,7 +54,7 @@ pub fn look(source: &Source) -> Option<Confidence> {
     let lines = count(&mut coloured.iter().zip(&backdrop).map(|(c, b)| *c && !b));
     let greys: Vec<Option<u8>> = picture.greys().zip(&coloured).map(|(g, c)| g.filter(|_| !c)).collect();
     let map = few(&greys) >= FEW_GREYS
-        && paper(&picture) <= BORDER
+        && paper(&picture, lightest(&greys)) <= BORDER
         && lines <= MOST_LINES
         && spacious(&greys, picture.width);
     Some(match (map, back > 0.0, lines >= FEWEST_LINES) {
@@ -81,20 +85,28 @@ fn few(greys: &[Option<u8>]) -> f64 {
     let mut few = 0;
     for _ in 0..3 {
         let most = (0..256).max_by_key(|g| (counts[*g], 256 - g)).unwrap_or(0);
-        let near = most.saturating_sub(8)..(most + 9).min(256);
+        let near = most.saturating_sub(NEAR)..(most + NEAR + 1).min(256);
         few += counts[near.clone()].iter().sum::<u64>();
         counts[near].fill(0);
     }
     few as f64 / all as f64
 }
 
-/// The share of the border that is white or transparent.
-fn paper(picture: &Picture) -> f64 {
+/// The lightest grey that many pixels have: one in fifty is at least as light.
+fn lightest(greys: &[Option<u8>]) -> u8 {
+    let mut sorted: Vec<u8> = greys.iter().flatten().copied().collect();
+    sorted.sort_unstable();
+    sorted.len().checked_sub(1 + sorted.len() / 50).map_or(u8::MAX, |i| sorted[i])
+}
+
+/// The share of the border that is white, transparent, or about as light as the lightest areas.
+fn paper(picture: &Picture, lightest: u8) -> f64 {
+    let paper = PAPER.min(lightest.saturating_sub(DARKER));
     let greys: Vec<Option<u8>> = picture.greys().collect();
     let (width, height) = (picture.width, picture.height);
     let border: Vec<usize> = (0..greys.len())
         .filter(|i| i % width == 0 || i % width + 1 == width || i / width == 0 || i / width + 1 == height)
         .collect();
-    let white = border.iter().filter(|i| greys[**i].is_none_or(|g| g >= PAPER)).count();
+    let white = border.iter().filter(|i| greys[**i].is_none_or(|g| g >= paper)).count();
     white as f64 / border.len().max(1) as f64
 }

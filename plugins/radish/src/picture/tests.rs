@@ -145,6 +145,12 @@ fn only_maps_with_colours_are_claimed() {
     assert!(claim(png(&map([255; 3], [0, 0, 255], [0; 3]))) > 90);
     assert!(claim(png(&grey(254, 205, 0))) < 50, "a plain map");
     assert!(claim(png(&with_way(grey(255, 255, 0), [255, 0, 0], 1))) < 50, "lines on white paper");
+    let mut photographed = with_way(grey(245, 245, 0), [0, 150, 0], 2);
+    for (x, y, p) in photographed.enumerate_pixels_mut() {
+        p.0 = p.0.map(|v| v.saturating_sub((x / 4 + y / 8) as u8));
+    }
+    assert!(claim(png(&photographed)) < 50, "a plan with a route on paper that is lit unevenly");
+    assert!(claim(png(&with_way(grey(235, 235, 0), [0, 150, 0], 2))) < 50, "a plan on greyish paper");
     let strokes = map([0, 0, 160], [0, 0, 160], [255; 3]);
     assert!(claim(png(&strokes)) < 50, "white lines on blue paper");
     let motley = RgbImage::from_fn(WIDTH, HEIGHT, |x, y| Rgb([x as u8, (y * 2) as u8, (x * y) as u8]));
