@@ -10,8 +10,12 @@ mod accuracy_support;
 mod plan_support;
 
 use accuracy_support::for_seeds;
+use image::{DynamicImage, ImageFormat};
 use plan_support::{PlanScore, mean, print, score};
-use planform_synth::PlanStyle;
+use planform::host::Registry;
+use planform_sdk::Source;
+use planform_synth::{Plan, PlanStyle};
+use std::io::Cursor;
 
 /// Means over the plans, a little under what is reached.
 struct Floors {
@@ -42,9 +46,10 @@ const FLOORS: Floors = Floors {
 
 const PLANS: u64 = 20;
 
+const STYLES: [PlanStyle; 2] = [PlanStyle::Blueprint, PlanStyle::Evacuation];
+
 fn scores() -> Vec<PlanScore> {
-    let styles = [PlanStyle::Blueprint, PlanStyle::Evacuation];
-    for_seeds(0..2 * PLANS, |i| score(styles[(i / PLANS) as usize], i % PLANS + 1))
+    for_seeds(0..2 * PLANS, |i| score(STYLES[(i / PLANS) as usize], i % PLANS + 1))
 }
 
 #[test]
@@ -68,6 +73,20 @@ fn forty_plans_are_read_well() {
         .map(|(name, value, floor)| format!("{name} {value:.3} < {floor:.3}"))
         .collect();
     assert!(missed.is_empty(), "{}", missed.join(", "));
+}
+
+#[test]
+fn every_plan_is_given_to_the_reader_of_plans() {
+    let readers = for_seeds(0..2 * PLANS, |i| {
+        let plan = Plan::draw(i % PLANS + 1, STYLES[(i / PLANS) as usize]).unwrap();
+        let mut png = Cursor::new(vec![]);
+        DynamicImage::from(plan.picture).write_to(&mut png, ImageFormat::Png).unwrap();
+        let source =
+            Source { path: "plan.png".into(), bytes: png.into_inner(), byte_limit: Source::BYTE_LIMIT };
+        (i, Registry::builtin().claims(&source)[0].adapter.info().name.clone())
+    });
+    let others: Vec<_> = readers.iter().filter(|(_, reader)| reader != "blueprint").collect();
+    assert!(others.is_empty(), "{others:?}");
 }
 
 #[test]

@@ -9,37 +9,21 @@
 
 mod accuracy_support;
 mod cli_support;
+#[path = "../localise/tests/mapped/mod.rs"]
+mod mapped;
 
 use accuracy_support::{for_seeds, layout_of, shared, to_geo};
 use cli_support::{Workshop, text};
 use geo::Area;
-use planform_sdk::{
-    Document, Grid, Layout, Opening, Options, Output, Pose, Provenance, Room, RoomId, Scene, Source,
-};
+use mapped::mapped;
+use planform_sdk::{Grid, Layout, Opening, Options, Pose, Provenance, Room, RoomId, Scene, Source};
 use planform_synth::{Building, BuildingParams, ScanParams, Size};
-use std::fs;
 
 /// The least overlap of a room with itself when it was read back: common area over the area of both.
 const SAME: f64 = 0.97;
 
 /// Less wall than this beside an opening is none, metres.
 const JAMBS: f64 = 0.5;
-
-/// The grid that a map server makes of the layout's map.
-fn mapped(layout: &Layout, grid: &Grid) -> Grid {
-    let scene = Scene::of_grid(grid.clone(), Provenance::default());
-    let (mut yaml, mut pictures) = (vec![], [vec![]]);
-    let output = Output { stem: "map", extension: "yaml", file: &mut yaml, companions: &mut pictures };
-    let document = Document { layout, scene: Some(&scene) };
-    planform_ros_map::exporter().write_files(&document, &Options::default(), output).unwrap();
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("map.yaml"), yaml).unwrap();
-    fs::write(folder.path().join("map.pgm"), &pictures[0]).unwrap();
-    let read = Source::open(folder.path().join("map.yaml"), Source::BYTE_LIMIT).unwrap();
-    let adapter = planform_slam_grid::adapter();
-    let options = Options::parse(&adapter.info().options, []).unwrap();
-    adapter.read(&read, &options).unwrap().grid
-}
 
 /// A room and how much of its floor is the same when the layout's map is read.
 struct Kept {
@@ -52,7 +36,8 @@ struct Kept {
 
 /// What is kept of each room of the layout.
 fn kept(layout: &Layout, grid: &Grid) -> Vec<Kept> {
-    let back = layout_of(mapped(layout, grid));
+    let scene = Scene::of_grid(grid.clone(), Provenance::default());
+    let back = layout_of(mapped(layout, &scene, &[]));
     let floors: Vec<_> = back.rooms.iter().map(|r| to_geo(&r.inner)).collect();
     let of_room = |room: &Room| {
         let floor = to_geo(&room.inner);

@@ -1,19 +1,21 @@
 //! How well a robot finds itself on the grid that was made of its log, and on the map of that grid's layout.
 //!
 //! `cargo run --release -p planform-localise --example logs -- LOG...`, with CARMEN logs that hold corrected poses and
-//! odometry, plain or packed with gzip; for a log that keeps no odometry it is simulated. Prints a table for
+//! odometry, plain or packed; for a log that keeps no odometry it is simulated. Prints a table for
 //! docs/robots.md.
 #![allow(clippy::unwrap_used)]
 
-use flate2::read::MultiGzDecoder;
+#[path = "../tests/mapped/mod.rs"]
+mod mapped;
+
+use mapped::mapped;
 use planform::reconstruct::{Params as Reconstruction, reconstruct};
 use planform_localise::{
     Errors, Field, Filter, Frame, Motion, Params, Random, Sweep, Walk, distance, follow,
 };
 use planform_radish::log::{self, LaserChoice, Log, Scan};
-use planform_sdk::{Document, Grid, Layout, Options, Output, Pose, Scene, Source};
-use std::fs;
-use std::io::{BufReader, Read};
+use planform_radish::unpack;
+use planform_sdk::{Options, Pose, Source};
 use std::path::Path;
 use std::time::Instant;
 
@@ -40,11 +42,11 @@ fn main() {
 
 fn measure(path: &Path) {
     let source = Source::open(path, Source::BYTE_LIMIT).unwrap();
-    let frames = frames(&read_log(&source.bytes));
+    let frames = frames(&log::read(unpack::text(&source.bytes), LaserChoice::default()).unwrap());
     let adapter = planform_radish::adapter();
     let scene = adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap();
     let layout = reconstruct(&scene, &Reconstruction::default(), &mut ()).unwrap();
-    for (name, grid) in [("its grid", scene.grid.clone()), ("its layout", mapped(&layout, &scene))] {
+    for (name, grid) in [("its grid", scene.grid.clone()), ("its layout", mapped(&layout, &scene, &[]))] {
         let begun = Instant::now();
         let field = Field::new(grid, 1.0);
         let [position, far, heading, turned] = tracked(&field, &frames).summary();
@@ -56,12 +58,6 @@ fn measure(path: &Path) {
         );
         eprintln!("{:.1?}", begun.elapsed());
     }
-}
-
-fn read_log(bytes: &[u8]) -> Log {
-    let text: Box<dyn Read> =
-        if bytes.starts_with(&[0x1f, 0x8b]) { Box::new(MultiGzDecoder::new(bytes)) } else { Box::new(bytes) };
-    log::read(BufReader::new(text), LaserChoice::default()).unwrap()
 }
 
 /// The scans with both their poses.
@@ -90,20 +86,6 @@ fn simulated(truth: &[Pose]) -> Vec<Pose> {
         odometry.push(next);
     }
     odometry
-}
-
-/// The map of the layout as a map server reads it.
-fn mapped(layout: &Layout, scene: &Scene) -> Grid {
-    let folder = tempfile::tempdir().unwrap();
-    let (mut yaml, mut pictures) = (vec![], [vec![]]);
-    let output = Output { stem: "map", extension: "yaml", file: &mut yaml, companions: &mut pictures };
-    let document = Document { layout, scene: Some(scene) };
-    planform_ros_map::exporter().write_files(&document, &Options::default(), output).unwrap();
-    fs::write(folder.path().join("map.yaml"), yaml).unwrap();
-    fs::write(folder.path().join("map.pgm"), &pictures[0]).unwrap();
-    let source = Source::open(folder.path().join("map.yaml"), Source::BYTE_LIMIT).unwrap();
-    let adapter = planform_slam_grid::adapter();
-    adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap().grid
 }
 
 fn tracked(field: &Field, frames: &[Frame]) -> Errors {

@@ -4,12 +4,15 @@
 //! `cargo run --release -p planform-localise --example picture > docs/robots.svg`
 #![allow(clippy::unwrap_used)]
 
+#[path = "../tests/mapped/mod.rs"]
+mod mapped;
+
+use mapped::mapped;
 use planform::reconstruct::{Params as Reconstruction, reconstruct};
 use planform_localise::{Errors, Field, Filter, Frame, Laser, Params, Walk, World, follow};
-use planform_sdk::{Document, Grid, Layout, Options, Output, Point, Pose, Provenance, Scene, Source};
+use planform_sdk::{Layout, Point, Pose, Provenance, Scene};
 use planform_synth::{Building, BuildingParams, ScanParams, Size};
 use std::fmt::Write;
-use std::fs;
 
 /// The building, and the seed of the walk in it.
 const BUILDING: u64 = 4;
@@ -23,27 +26,13 @@ fn main() {
     let grid = building.scan(&ScanParams::default()).unwrap().grid;
     let scene = Scene::of_grid(grid, Provenance::default());
     let layout = reconstruct(&scene, &Reconstruction::default(), &mut ()).unwrap();
-    let field = Field::new(mapped(&layout, &scene), 1.0);
+    let field = Field::new(mapped(&layout, &scene, &[]), 1.0);
     let world = World::new(building.clean_grid(0.04).unwrap());
     let walk = Walk { length: 90.0, ..Walk::default() };
     let frames = world.walk(&Laser::default(), &walk, WALK);
     let mut filter = Filter::anywhere(&field, Params::default(), WALK);
     let errors = follow(&mut filter, &frames);
     print!("{}", drawing(&layout, &frames, &errors));
-}
-
-/// The map of the layout as a map server reads it.
-fn mapped(layout: &Layout, scene: &Scene) -> Grid {
-    let folder = tempfile::tempdir().unwrap();
-    let (mut yaml, mut pictures) = (vec![], [vec![]]);
-    let output = Output { stem: "map", extension: "yaml", file: &mut yaml, companions: &mut pictures };
-    let document = Document { layout, scene: Some(scene) };
-    planform_ros_map::exporter().write_files(&document, &Options::default(), output).unwrap();
-    fs::write(folder.path().join("map.yaml"), yaml).unwrap();
-    fs::write(folder.path().join("map.pgm"), &pictures[0]).unwrap();
-    let source = Source::open(folder.path().join("map.yaml"), Source::BYTE_LIMIT).unwrap();
-    let adapter = planform_slam_grid::adapter();
-    adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap().grid
 }
 
 fn drawing(layout: &Layout, frames: &[Frame], errors: &Errors) -> String {

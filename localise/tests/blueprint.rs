@@ -4,12 +4,14 @@
 // Clippy knows the tests themselves, but not what they call.
 #![allow(clippy::unwrap_used)]
 
+mod mapped;
+
 use image::{DynamicImage, ImageFormat};
+use mapped::mapped;
 use planform::reconstruct::{Params as Reconstruction, reconstruct};
 use planform_localise::{Field, Filter, Laser, Params, Walk, World, follow};
-use planform_sdk::{Cell, Document, Grid, Layout, Options, Output, Point, Pose, Scene, Source, bounds};
+use planform_sdk::{Cell, Grid, Layout, Options, Point, Pose, Scene, Source, bounds};
 use planform_synth::{Plan, PlanStyle};
-use std::fs;
 use std::io::Cursor;
 
 /// The robot is found if it is no farther from its estimate than this, metres, for its last sweeps.
@@ -33,21 +35,6 @@ fn read(plan: &Plan) -> Scene {
     let scale = plan.truth.metres_per_pixel.to_string();
     let options = Options::parse(&adapter.info().options, [("metres-per-pixel", scale.as_str())]).unwrap();
     adapter.read(&source, &options).unwrap()
-}
-
-/// The map of a layout, as a map server reads it.
-fn mapped(layout: &Layout, scene: &Scene) -> Grid {
-    let folder = tempfile::tempdir().unwrap();
-    let exporter = planform_ros_map::exporter();
-    let options = Options::parse(&exporter.info().options, [("resolution", "0.05")]).unwrap();
-    let (mut yaml, mut pictures) = (vec![], [vec![]]);
-    let output = Output { stem: "map", extension: "yaml", file: &mut yaml, companions: &mut pictures };
-    exporter.write_files(&Document { layout, scene: Some(scene) }, &options, output).unwrap();
-    fs::write(folder.path().join("map.yaml"), yaml).unwrap();
-    fs::write(folder.path().join("map.pgm"), &pictures[0]).unwrap();
-    let source = Source::open(folder.path().join("map.yaml"), Source::BYTE_LIMIT).unwrap();
-    let adapter = planform_slam_grid::adapter();
-    adapter.read(&source, &Options::parse(&adapter.info().options, []).unwrap()).unwrap().grid
 }
 
 /// The building as it truly is: floors and open doors free, all else solid. Drawn apart from the exporter.
@@ -80,7 +67,7 @@ fn ends(style: PlanStyle, seed: u64) -> Vec<f64> {
     let plan = Plan::draw(seed, style).unwrap();
     let scene = read(&plan);
     let layout = reconstruct(&scene, &Reconstruction::default(), &mut ()).unwrap();
-    let field = Field::new(mapped(&layout, &scene), 1.0);
+    let field = Field::new(mapped(&layout, &scene, &[("resolution", "0.05")]), 1.0);
     let world = World::new(building(&plan.truth.layout));
     let end = |seed| {
         let frames = world.walk(&Laser::default(), &Walk::default(), seed);

@@ -203,13 +203,8 @@ fn read_beside(layout: &Layout) -> String {
     let counts = [(layout.texts.len(), "text"), (layout.symbols.len(), "symbol")];
     let counts =
         counts.into_iter().filter(|(n, _)| *n > 0).map(|(n, thing)| format!(", {}", count(n, thing)));
-    let scale = layout.scale.as_ref().map(|s| format!(", scale {}{}", by(&s.source), s.source));
+    let scale = layout.scale.as_ref().map(|s| format!(", scale {}", s.told()));
     counts.chain(scale).collect()
-}
-
-/// A scale is by what was measured, and as somebody gave it.
-fn by(source: &str) -> &'static str {
-    if source.starts_with("given") { "as " } else { "by " }
 }
 
 fn count(n: usize, thing: &str) -> String {

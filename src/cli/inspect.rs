@@ -169,10 +169,10 @@ impl Report {
             let kinds: Vec<_> = self.symbols.iter().map(|(kind, n)| format!("{n} {}", safe(kind))).collect();
             let _ = writeln!(t, "  symbols     {}", kinds.join(", "));
         }
-        if let Some(Scale { metres_per_pixel, source, confidence }) = &self.scale {
-            let (length, percent) = (rounded(*metres_per_pixel), confidence * 100.0);
-            let _ =
-                writeln!(t, "  scale       {length} m per pixel by {}, {percent:.0} % sure", safe(source));
+        if let Some(scale) = &self.scale {
+            let (length, percent) = (rounded(scale.metres_per_pixel), scale.confidence * 100.0);
+            let told = scale.told();
+            let _ = writeln!(t, "  scale       {length} m per pixel {}, {percent:.0} % sure", safe(&told));
         }
         if let Some(GeoAnchor { latitude, longitude, bearing, at }) = self.anchor {
             let _ = writeln!(

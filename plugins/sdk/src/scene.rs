@@ -190,6 +190,14 @@ pub struct Scale {
     pub confidence: f64,
 }
 
+impl Scale {
+    /// How it was found, as one says it after a number: "by door widths", or "as given".
+    pub fn told(&self) -> String {
+        let by = if self.source.starts_with("given") { "as" } else { "by" };
+        format!("{by} {}", self.source)
+    }
+}
+
 /// Where the map frame lies on the Earth.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct GeoAnchor {

@@ -124,7 +124,7 @@ fn description(layout: &Layout, sheet: &Sheet) -> String {
 
 /// How large the building is was not measured: whoever measures in the drawing should know.
 fn scale_found(scale: &Scale) -> String {
-    format!(" The scale is {}, {:.0} % sure.", scale.source, 100.0 * scale.confidence)
+    format!(" The scale is {}, {:.0} % sure.", scale.told(), 100.0 * scale.confidence)
 }
 
 fn paper(sheet: &Sheet) -> Group {

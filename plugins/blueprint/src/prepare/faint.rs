@@ -26,34 +26,24 @@ const END: usize = SEAM + 3;
 /// The faint lines of a page, of which this is the strong ink.
 pub fn lines(grey: &GrayImage, ink: &Mask) -> Mask {
     let contrast = (ABOVE_NOISE * noise(grey)).max(f32::from(CONTRAST)).min(255.0) as u8;
-    let mut found = along_rows(grey, ink, contrast);
-    let turned = along_rows(&turned_picture(grey), &turned(ink), contrast);
-    if turned.set.contains(&true) {
-        found = found.with(&self::turned(&turned));
+    let (width, height) = (ink.width as usize, ink.height as usize);
+    let level = Page { grey: grey.as_raw(), ink: &ink.set, width, height, contrast }.lines();
+    let found = Mask { set: level, width: ink.width, height: ink.height };
+    let (grey, ink) = (turned(grey.as_raw(), width, height), turned(&ink.set, width, height));
+    let upright = Page { grey: &grey, ink: &ink, width: height, height: width, contrast }.lines();
+    if !upright.contains(&true) {
+        return found;
     }
-    found
+    found.with(&Mask { set: turned(&upright, height, width), width: width as u32, height: height as u32 })
 }
 
-/// The pages' rows as columns.
-fn turned_picture(grey: &GrayImage) -> GrayImage {
-    GrayImage::from_fn(grey.height(), grey.width(), |x, y| *grey.get_pixel(y, x))
-}
-
-fn turned(mask: &Mask) -> Mask {
-    let mut out = Mask::empty(mask.height, mask.width);
-    let (width, height) = (mask.width as usize, mask.height as usize);
-    rows::for_each(&mut out.set, height, |x, column| {
-        column.iter_mut().enumerate().for_each(|(y, to)| *to = mask.set[y * width + x]);
+/// The columns of a picture as rows.
+fn turned<T: Copy + Default + Send + Sync>(pixels: &[T], width: usize, height: usize) -> Vec<T> {
+    let mut out = vec![T::default(); pixels.len()];
+    rows::for_each(&mut out, height, |x, row| {
+        row.iter_mut().enumerate().for_each(|(y, to)| *to = pixels[y * width + x]);
     });
     out
-}
-
-fn along_rows(grey: &GrayImage, ink: &Mask, contrast: u8) -> Mask {
-    let (width, height) = (grey.width() as usize, grey.height() as usize);
-    let page = Page { grey: grey.as_raw(), ink: &ink.set, width, height, contrast };
-    let mut found = Mask::empty(grey.width(), grey.height());
-    rows::for_each(&mut found.set, width, |y, row| page.find(y, row));
-    found
 }
 
 struct Page<'a> {
@@ -65,6 +55,13 @@ struct Page<'a> {
 }
 
 impl Page<'_> {
+    /// The faint lines along its rows.
+    fn lines(&self) -> Vec<bool> {
+        let mut found = vec![false; self.ink.len()];
+        rows::for_each(&mut found, self.width, |y, row| self.find(y, row));
+        found
+    }
+
     /// Marks the faint lines in a row.
     fn find(&self, y: usize, row: &mut [bool]) {
         if y < SEAM || y + SEAM >= self.height {

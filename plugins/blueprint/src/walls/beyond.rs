@@ -26,9 +26,9 @@ pub fn ink(drawing: &Drawing, by_walls: &[bool], by_lines: &[bool], read: Read) 
     let outer: Vec<bool> = by_lines.iter().zip(by_walls).map(|(l, w)| *l && !w).collect();
     let parts = components::find(&outer, drawing.width, Neighbours::Four);
     let built = built(drawing, by_walls, &parts, read);
-    let far = distance::squared(&by_walls.iter().map(|w| !w).collect::<Vec<_>>(), drawing.width);
-    let reach = (BEYOND * drawing.metre).powi(2);
-    let is_beyond = |i: usize| f64::from(far[i]) > reach && !built[parts.label[i] as usize];
+    let reach = BEYOND * drawing.metre;
+    let near = distance::within(by_walls, drawing.width, reach);
+    let is_beyond = |i: usize| !near[i] && !built[parts.label[i] as usize];
     (0..outer.len()).map(|i| drawing.ink[i] && is_beyond(i)).collect()
 }
 

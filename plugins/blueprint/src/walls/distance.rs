@@ -14,6 +14,12 @@ pub fn squared(far: &[bool], width: usize) -> Vec<u32> {
     out
 }
 
+/// Of every pixel whether it is set, or no farther than `reach` pixels from one that is.
+pub fn within(set: &[bool], width: usize, reach: f64) -> Vec<bool> {
+    let far: Vec<bool> = set.iter().map(|s| !s).collect();
+    squared(&far, width).iter().map(|&d| f64::from(d) <= reach * reach).collect()
+}
+
 /// The farthest that a column's distance is told, so that its square fits.
 const FARTHEST: u16 = 30_000;
 

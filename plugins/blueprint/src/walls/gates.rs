@@ -26,12 +26,9 @@ pub fn find(drawing: &Drawing, wall: &[bool], faint: &[bool]) -> Vec<bool> {
     let with_gates = inside::find(drawing, &either);
     let gained: Vec<bool> = with_gates.iter().zip(&by_walls).map(|(g, w)| *g && !w).collect();
     let parts = components::find(&gained, drawing.width, Neighbours::Four);
-    let reach = (ASIDE * drawing.metre).powi(2);
-    let near = |set: &dyn Fn(usize) -> bool| {
-        let other: Vec<bool> = (0..wall.len()).map(|i| !set(i)).collect();
-        distance::squared(&other, drawing.width).iter().map(|&d| f64::from(d) <= reach).collect::<Vec<bool>>()
-    };
-    let rims = beyond::rims(drawing, &near(&|i| wall[i]), &parts);
+    let reach = ASIDE * drawing.metre;
+    let near_walls = distance::within(wall, drawing.width, reach);
+    let rims = beyond::rims(drawing, &near_walls, &parts);
     let is_hall = |part: usize| {
         let [open, walls] = rims[part].map(|count| count as f64);
         part != 0
@@ -39,7 +36,8 @@ pub fn find(drawing: &Drawing, wall: &[bool], faint: &[bool]) -> Vec<bool> {
             && parts.all[part].area as f64 >= LEAST * drawing.metre.powi(2)
     };
     let halls: Vec<bool> = (0..parts.all.len()).map(is_hall).collect();
-    let rim = near(&|i| halls[parts.label[i] as usize]);
+    let floor: Vec<bool> = parts.label.iter().map(|&part| halls[part as usize]).collect();
+    let rim = distance::within(&floor, drawing.width, reach);
     faint.iter().zip(&rim).map(|(f, r)| *f && *r).collect()
 }
 

@@ -13,9 +13,8 @@ const LEAST: f64 = 0.6;
 
 /// The ink of all straight lines that leave the building. `inside`: what its thick walls enclose, walls included.
 pub fn lines(drawing: &Drawing, inside: &[bool]) -> Vec<bool> {
-    let reach = (BEYOND * drawing.metre).powi(2);
-    let far = distance::squared(&inside.iter().map(|i| !i).collect::<Vec<_>>(), drawing.width);
-    let outside: Vec<bool> = far.iter().map(|&d| f64::from(d) > reach).collect();
+    let near = distance::within(inside, drawing.width, BEYOND * drawing.metre);
+    let outside: Vec<bool> = near.iter().map(|n| !n).collect();
     let least = (LEAST * drawing.metre).max(2.0);
     let nothing = || vec![false; drawing.ink.len()];
     let parts = in_all_directions(drawing.ink.len(), drawing.width, nothing, |track, out| {

@@ -191,11 +191,8 @@ fn tell(drawing: &Drawing, lines: &Straight, sure: Sure) -> Kinds {
 
 /// Bands with the lines along them.
 fn outlined(drawing: &Drawing, band: &[bool], stroke: f64) -> Vec<bool> {
-    let other: Vec<bool> = band.iter().map(|b| !b).collect();
-    let reach = (stroke + 0.5).powi(2);
-    let near = distance::squared(&other, drawing.width);
-    let is_beside = |i: usize| drawing.ink[i] && f64::from(near[i]) <= reach;
-    (0..band.len()).map(|i| band[i] || is_beside(i)).collect()
+    let near = distance::within(band, drawing.width, stroke + 0.5);
+    (0..band.len()).map(|i| band[i] || (drawing.ink[i] && near[i])).collect()
 }
 
 /// The median thickness of what is occupied, pixels, measured where walls are thickest.

@@ -42,10 +42,9 @@ pub fn remove(drawing: &Drawing, inside: &[bool], openings: &[bool], occupied: &
 
 /// Walls with their openings, over small gaps.
 fn together(drawing: &Drawing, openings: &[bool], occupied: &[bool]) -> Components {
-    let free: Vec<bool> = occupied.iter().map(|o| !o).collect();
-    let reach = (NEAR / 2.0 * drawing.metre).powi(2).max(1.0);
-    let far = distance::squared(&free, drawing.width);
-    let near: Vec<bool> = far.iter().zip(openings).map(|(&d, o)| *o || f64::from(d) <= reach).collect();
+    let reach = (NEAR / 2.0 * drawing.metre).max(1.0);
+    let mut near = distance::within(occupied, drawing.width, reach);
+    near.iter_mut().zip(openings).for_each(|(n, o)| *n |= o);
     components::find(&near, drawing.width, Neighbours::Eight)
 }
 

@@ -1,7 +1,7 @@
 //! Whether a picture is a map that is better read here: one with colours that robots' maps have.
 
 use super::backdrop;
-use super::decode::{Picture, is_picture};
+use super::decode::{self, Picture, is_picture};
 use super::wide;
 use planform_sdk::{Confidence, Probe, Source};
 
@@ -44,24 +44,32 @@ pub fn probe(probe: &Probe<'_>) -> Confidence {
 /// How sure the adapter is by the whole picture. Plain maps are left to others, and so are drawings: those are on white
 /// paper, or have more greys or colours.
 pub fn look(source: &Source) -> Option<Confidence> {
+    let colourless = || Some(Confidence::because(40, "it shows no map with colours of its own"));
+    if decode::is_grey(&source.bytes) {
+        return colourless();
+    }
     let picture = Picture::decode(&source.bytes).ok()?;
     let coloured = picture.coloured();
+    if !coloured.contains(&true) {
+        return colourless();
+    }
     let backdrop = backdrop::find(&picture, &coloured, wide::radius(RESOLUTION));
-    let count = |set: &mut dyn Iterator<Item = bool>| {
-        set.filter(|s| *s).count() as f64 / coloured.len().max(1) as f64
-    };
-    let back = count(&mut backdrop.iter().copied());
-    let lines = count(&mut coloured.iter().zip(&backdrop).map(|(c, b)| *c && !b));
+    let back = backdrop.contains(&true);
+    let lines = coloured.iter().zip(&backdrop).filter(|(c, b)| **c && !**b).count();
+    let lines = lines as f64 / coloured.len() as f64;
     let greys: Vec<Option<u8>> = picture.greys().zip(&coloured).map(|(g, c)| g.filter(|_| !c)).collect();
-    let map = few(&greys) >= FEW_GREYS
-        && paper(&picture, lightest(&greys)) <= BORDER
+    let counts = counts(&greys);
+    let map = few(counts) >= FEW_GREYS
+        && paper(&picture, lightest(&counts)) <= BORDER
         && lines <= MOST_LINES
         && spacious(&greys, picture.width);
-    Some(match (map, back > 0.0, lines >= FEWEST_LINES) {
-        (true, true, _) => Confidence::because(92, "it shows a map with a colour for unknown space"),
-        (true, false, true) => Confidence::because(92, "it shows a map with coloured lines drawn on it"),
-        _ => Confidence::because(40, "it shows no map with colours of its own"),
-    })
+    match (map, back, lines >= FEWEST_LINES) {
+        (true, true, _) => Some(Confidence::because(92, "it shows a map with a colour for unknown space")),
+        (true, false, true) => {
+            Some(Confidence::because(92, "it shows a map with coloured lines drawn on it"))
+        }
+        _ => colourless(),
+    }
 }
 
 /// Whether light areas and something dark are among the greys: free space and walls.
@@ -77,10 +85,15 @@ fn spacious(greys: &[Option<u8>], width: usize) -> bool {
         && of_all(tone(0..100).filter(|t| *t).count()) >= WALLS
 }
 
-/// The share of grey pixels that have the three most frequent greys, or greys next to them.
-fn few(greys: &[Option<u8>]) -> f64 {
-    let mut counts = [0_u64; 256];
+/// How many pixels have each grey.
+fn counts(greys: &[Option<u8>]) -> [u64; 256] {
+    let mut counts = [0; 256];
     greys.iter().flatten().for_each(|g| counts[usize::from(*g)] += 1);
+    counts
+}
+
+/// The share of grey pixels that have the three most frequent greys, or greys next to them.
+fn few(mut counts: [u64; 256]) -> f64 {
     let all = counts.iter().sum::<u64>().max(1);
     let mut few = 0;
     for _ in 0..3 {
@@ -92,11 +105,15 @@ fn few(greys: &[Option<u8>]) -> f64 {
     few as f64 / all as f64
 }
 
-/// The lightest grey that many pixels have: one in fifty is at least as light.
-fn lightest(greys: &[Option<u8>]) -> u8 {
-    let mut sorted: Vec<u8> = greys.iter().flatten().copied().collect();
-    sorted.sort_unstable();
-    sorted.len().checked_sub(1 + sorted.len() / 50).map_or(u8::MAX, |i| sorted[i])
+/// The lightest grey that many pixels have: one in fifty is lighter at most.
+fn lightest(counts: &[u64; 256]) -> u8 {
+    let mut lighter = counts.iter().sum::<u64>() / 50;
+    let is_dark_enough = |count: &u64| {
+        let reached = *count > lighter;
+        lighter = lighter.saturating_sub(*count);
+        reached
+    };
+    counts.iter().rev().position(is_dark_enough).map_or(u8::MAX, |below| u8::MAX - below as u8)
 }
 
 /// The share of the border that is white, transparent, or about as light as the lightest areas.

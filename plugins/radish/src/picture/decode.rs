@@ -51,6 +51,13 @@ pub fn is_picture(head: &[u8]) -> bool {
     format(head).is_some()
 }
 
+/// Whether a picture says at its head that it holds no colours.
+pub fn is_grey(bytes: &[u8]) -> bool {
+    let decoder =
+        format(bytes).and_then(|f| ImageReader::with_format(Cursor::new(bytes), f).into_decoder().ok());
+    decoder.is_some_and(|d| !d.color_type().has_color())
+}
+
 impl Picture {
     /// Decodes a picture; of a moving one, the first. Its size is checked before memory is taken.
     pub fn decode(bytes: &[u8]) -> Result<Self, PluginError> {
