@@ -1,5 +1,5 @@
 //! What the program writes, read back by independent programs: GDAL, ezdxf, resvg, PyYAML and numpy, networkx,
-//! Graphviz.
+//! Graphviz; and its drawings by itself.
 
 // Clippy knows the tests themselves, but not what they call.
 #![allow(clippy::unwrap_used)]
@@ -7,9 +7,11 @@
 mod accuracy_support;
 mod cli_support;
 
-use accuracy_support::layout_of;
+use accuracy_support::{layout_of, shared, to_geo};
 use cli_support::{FREE, UNKNOWN, WALL, Workshop, pgm, text};
-use planform_sdk::{Grid, Layout, Point, Room, ring_signed_area};
+use geo::Area;
+use planform::reconstruct::{Params, reconstruct};
+use planform_sdk::{Document, Grid, Layout, OpeningKind, Options, Point, Room, Source, ring_signed_area};
 use planform_synth::{Building, BuildingParams, ScanParams, Size};
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{self, roxmltree};
@@ -134,6 +136,41 @@ fn ezdxf_reads_every_version_of_the_dxf() {
         assert_eq!(report["rooms"].as_object().unwrap().len(), layout.rooms.len(), "{version}");
         same_areas(&layout.rooms.iter().map(area).collect::<Vec<_>>(), &layout, INNER);
     }
+}
+
+/// The layout of the drawing of a layout.
+fn drawn_and_read(layout: &Layout) -> Layout {
+    let (exporter, adapter) = (planform_dxf::exporter(), planform_blueprint::adapter());
+    let mut bytes = vec![];
+    let options = Options::parse(&exporter.info().options, []).unwrap();
+    exporter.write(&Document { layout, scene: None }, &options, &mut bytes).unwrap();
+    let source = Source { path: "office.dxf".into(), bytes, byte_limit: Source::BYTE_LIMIT };
+    let options = Options::parse(&adapter.info().options, []).unwrap();
+    let scene = adapter.read(&source, &options).unwrap();
+    assert_eq!(scene.warnings, Vec::<String>::new());
+    reconstruct(&scene, &Params::default(), &mut ()).unwrap()
+}
+
+#[test]
+fn planform_reads_its_own_dxf() {
+    let (_, mut layout) = office();
+    layout.rooms[0].name = Some("Kitchen".into());
+    let back = drawn_and_read(&layout);
+    let overlap = |a: &Room, b: &Room| {
+        let (a, b) = (to_geo(&a.inner), to_geo(&b.inner));
+        let common = shared(&a, &b);
+        common / (a.unsigned_area() + b.unsigned_area() - common)
+    };
+    for room in &layout.rooms {
+        let (again, kept) =
+            back.rooms.iter().map(|r| (r, overlap(room, r))).max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+        assert!(kept > 0.9, "room {}: {kept}", room.id);
+        // The numbers of the drawing are no names.
+        assert_eq!(again.name, room.name);
+    }
+    let doors = |l: &Layout| l.openings.iter().filter(|o| o.kind == OpeningKind::Door).count();
+    assert_eq!(back.rooms.len(), layout.rooms.len());
+    assert!(doors(&back) * 10 >= doors(&layout) * 9, "{} of {} doors", doors(&back), doors(&layout));
 }
 
 #[test]

@@ -25,6 +25,18 @@ const BLANK: f64 = 1.5;
 /// Heights are taken for the same if they differ by less than this factor: letters with and without descenders.
 const SAME_HEIGHT: f64 = 1.3;
 
+/// What plans say to those who read them is no room's name.
+const REMARKS: [&str; 8] = [
+    "you are here",
+    "sie sind hier",
+    "ihr standort",
+    "standort",
+    "vous êtes ici",
+    "vous etes ici",
+    "voi siete qui",
+    "usted está aquí",
+];
+
 /// What the document says of a room.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Called {
@@ -40,7 +52,7 @@ pub fn of_room(texts: &[Text], floor: &Polygon) -> Called {
     let centre = centre(floor);
     let mut blocks: Vec<Block> = blocks(inside.collect()).into_iter().map(|b| Block::of(b, centre)).collect();
     blocks.sort_by(Block::rank);
-    let name = blocks.iter().find(|b| !b.name.is_empty()).map(|b| b.name.clone());
+    let name = blocks.iter().find(|b| b.is_name()).map(|b| b.name.clone());
     Called { name, stated_area: blocks.iter().find_map(|b| b.area) }
 }
 
@@ -83,6 +95,10 @@ impl Block {
             }
         }
         block
+    }
+
+    fn is_name(&self) -> bool {
+        !self.name.is_empty() && !REMARKS.contains(&self.name.to_lowercase().as_str())
     }
 
     /// Those with names first, then the larger ones; of the same size words before bare numbers, then the more central.
@@ -212,6 +228,12 @@ mod tests {
         let faint = Text { confidence: 0.2, ..text("Hall", 3.0, 2.0, 0.2) };
         assert_eq!(named(&[faint, text(".", 3.0, 2.0, 0.2), text("Lift", 7.0, 2.0, 0.2)]), Called::default());
         assert_eq!(named(&[text("4.2 x 3.1 m", 3.0, 2.0, 0.2)]).name, None);
+    }
+
+    #[test]
+    fn a_remark_is_no_name() {
+        assert_eq!(name(&[text("You are here", 3.0, 3.5, 0.2), text("104", 3.0, 2.0, 0.2)]), "104");
+        assert_eq!(named(&[text("SIE SIND HIER", 3.0, 3.5, 0.2)]).name, None);
     }
 
     #[test]

@@ -45,7 +45,7 @@ pub fn read(page: &Page, request: &Request, stages: &mut dyn Stages) -> Result<R
     let mut estimates: Vec<Estimate> = said.into_iter().collect();
     estimates.extend(scale::drawn(&Drawn { texts: &words.texts, lines: &lines }, resolution));
     drop(lines);
-    let (mut symbols, refuted) = find_symbols(&sheet, &ink, &library, &mut estimates, stages);
+    let (mut symbols, refuted) = find_symbols(page, &sheet, &ink, &library, &mut estimates, stages);
     symbols.symbols.iter_mut().for_each(doorways::straighten);
     symbols.symbols.extend(page.symbols.iter().map(|s| symbol_on_sheet(&sheet, s)));
     let ink = ink.without(&symbols.erase).with(&symbols.hidden);
@@ -90,19 +90,25 @@ fn good(estimates: &[Estimate]) -> Option<f64> {
     scale::good(estimates).map(|e| e.metres_per_pixel)
 }
 
-/// The symbols by the scale that is written; and without it, with a sentence that says so, if it proves wrong.
+/// The symbols by the scale that is written; and without it, with a sentence that says so, if it proves wrong. Where only
+/// walls are drawn, no doors can say so; and those that the document names need not be found.
 fn find_symbols(
+    page: &Page,
     sheet: &Sheet,
     ink: &Mask,
     library: &Library,
     estimates: &mut [Estimate],
     stages: &mut dyn Stages,
 ) -> (Symbols, Vec<String>) {
+    if page.walls_only && !page.symbols.is_empty() {
+        return (Symbols::none(ink), Vec::new());
+    }
     let found = symbols::find(sheet, ink, library, good(estimates), stages);
     let chosen = estimates.iter_mut().find(|e| e.confidence >= scale::GOOD);
-    let Some(chosen) = chosen.filter(|c| doubt::is_doubtful(c, &found.symbols)) else {
-        return (found, Vec::new());
+    let is_doubtful = |c: &&mut Estimate| {
+        !page.walls_only && doubt::is_doubtful(c, &[&found.symbols[..], &page.symbols].concat())
     };
+    let Some(chosen) = chosen.filter(is_doubtful) else { return (found, Vec::new()) };
     let without = symbols::find(sheet, ink, library, None, &mut Unwatched);
     match doubt::refute(chosen, &found.symbols, &without.symbols) {
         Some(sentence) if chosen.confidence < scale::GOOD => (without, vec![sentence]),

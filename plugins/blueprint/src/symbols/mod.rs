@@ -49,6 +49,14 @@ pub struct Symbols {
     pub hidden: Mask,
 }
 
+impl Symbols {
+    /// No symbols in this ink.
+    pub fn none(ink: &Mask) -> Self {
+        let nothing = || Mask::empty(ink.width, ink.height);
+        Self { symbols: Vec::new(), erase: nothing(), hidden: nothing() }
+    }
+}
+
 /// Leaves of doors, metres.
 const LEAF: [f64; 2] = [0.55, 1.35];
 /// Leaves of doors, pixels of a plane, where the scale is not known.
@@ -75,8 +83,7 @@ pub fn find(
     stages: &mut dyn Stages,
 ) -> Symbols {
     let metres_per_pixel = metres_per_pixel.filter(|m| *m > 0.0 && m.is_finite());
-    let nothing = || Mask::empty(ink.width, ink.height);
-    let mut found = Symbols { symbols: Vec::new(), erase: nothing(), hidden: nothing() };
+    let mut found = Symbols::none(ink);
     signs(sheet, ink, library, metres_per_pixel, &mut found);
     let rest = ink.clone().without(&found.erase);
     found.symbols.iter().for_each(|sign| behind::walls(&rest, sign, &mut found.hidden));

@@ -92,7 +92,21 @@ pub fn mended(text: &str) -> String {
     if matches!(text, "Sm" | "sm") {
         return "5 m".into();
     }
-    spaced(&with_squares(text))
+    numbered(&spaced(&with_squares(text)))
+}
+
+/// Numbers whose noughts and ones were taken for letters: "O1", "2l4".
+fn numbered(text: &str) -> String {
+    let likeness = |c: char| match c {
+        'O' | 'o' => Some('0'),
+        'l' | 'I' => Some('1'),
+        c => c.is_ascii_digit().then_some(c),
+    };
+    let word = |word: &str| match word.chars().map(likeness).collect::<Option<String>>() {
+        Some(number) if word.contains(|c: char| c.is_ascii_digit()) => number,
+        _ => word.to_owned(),
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
 }
 
 /// Measures with the blanks that are easily overlooked: "5 m", "13'6 x 11'".
@@ -224,6 +238,13 @@ mod tests {
         assert_eq!(mended("[303 |"), "303");
         assert_eq!(mended("Sm"), "5 m");
         assert_eq!(mended("4x"), "4x");
+    }
+
+    #[test]
+    fn letters_in_numbers_are_digits() {
+        assert_eq!(mended("KITCHEN O1"), "KITCHEN 01");
+        assert_eq!(mended("2l4"), "214");
+        assert_eq!(mended("Ill B1o Oil"), "Ill B1o Oil");
     }
 
     #[test]

@@ -1,9 +1,11 @@
 //! DXF drawings: the plan in model space, to scale.
 
+mod doors;
 mod drawing;
 mod extent;
 mod hatch;
 mod layers;
+mod own;
 mod pairs;
 mod plane;
 mod raster;
@@ -56,7 +58,10 @@ fn read(bytes: &[u8], wanted: Option<&[String]>) -> Result<Page, PluginError> {
     let shown = Shown::of(&drawing, &|name| symbols::kind(name).is_some())?;
     let (lines, walls_only) = walls(&shown, wanted)?;
     let extent = extent::extent(lines.iter().copied()).filter(|e| e[0] != e[1]).ok_or_else(no_lines)?;
-    let placed: Vec<_> = shown.insertions.iter().filter_map(symbols::placed).collect();
+    let mut placed: Vec<_> = shown.insertions.iter().filter_map(symbols::placed).collect();
+    if walls_only {
+        placed.extend(loose_doors(&shown, wanted));
+    }
     let (unit, warning) = unit(drawing.units, extent, &placed);
     let frame = Frame::of(extent, unit);
     Ok(Page {
@@ -97,6 +102,14 @@ fn walls<'s>(shown: &'s Shown, wanted: Option<&[String]>) -> Result<(Vec<&'s Sha
     }
     let likely = on(&|layer| role(layer) != Role::Aside);
     Ok((if likely.is_empty() { on(&|_| true) } else { likely }, false))
+}
+
+/// Doors that are drawn on layers beside those that walls are taken from.
+fn loose_doors(shown: &Shown, wanted: Option<&[String]>) -> Vec<Placed> {
+    let is_wall = |layer: &str| wanted.is_some_and(|w| w.iter().any(|l| l.trim().to_uppercase() == layer));
+    let beside = |layer: &str| doors::is_layer(layer) && !is_wall(layer);
+    let shapes = shown.lines.iter().filter(|(layer, _)| beside(layer)).map(|(_, shape)| shape.clone());
+    doors::doors(&shapes.collect::<Vec<_>>(), &shown.sills)
 }
 
 fn check_layers(shown: &Shown, wanted: &BTreeSet<String>) -> Result<(), PluginError> {

@@ -77,7 +77,7 @@ pub fn placed(insertion: &Insertion) -> Option<Placed> {
 }
 
 /// A door by its leaves: its opening reaches from the hinge to where the leaf closes, or to the other hinge.
-fn swinging(leaves: Vec<Leaf>) -> Option<Placed> {
+pub fn swinging(leaves: Vec<Leaf>) -> Option<Placed> {
     let [from, to] = match leaves.as_slice() {
         [one] => [one[0], one[1]],
         [one, other] => [one[0], other[0]],
@@ -90,7 +90,7 @@ fn swinging(leaves: Vec<Leaf>) -> Option<Placed> {
 }
 
 /// The leaf whose swing a shape is: an arc about the hinge. Its leaf is drawn open, as a line from the hinge to one end.
-fn leaf(arc: &Shape, shapes: &[Shape], map: Map) -> Option<Leaf> {
+pub fn leaf(arc: &Shape, shapes: &[Shape], map: Map) -> Option<Leaf> {
     let (hinge, radius) = circle(&arc.points)?;
     let ends = [*arc.points.first()?, *arc.points.last()?];
     let near = |a: Point, b: Point| distance(a, b) < 0.15 * radius;
@@ -105,7 +105,7 @@ fn leaf(arc: &Shape, shapes: &[Shape], map: Map) -> Option<Leaf> {
 }
 
 /// Centre and radius of the circle that all points lie on, if they sweep as a door does.
-fn circle(points: &[Point]) -> Option<(Point, f64)> {
+pub fn circle(points: &[Point]) -> Option<(Point, f64)> {
     if points.len() < 6 {
         return None;
     }

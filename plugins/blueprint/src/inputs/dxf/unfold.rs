@@ -1,6 +1,7 @@
 //! All that a drawing shows, with what its insertions repeat.
 
 use super::drawing::{Drawing, Entity};
+use super::own;
 use super::plane::{Map, Point};
 use super::shapes::{Shape, shapes};
 use super::words::{Words, words};
@@ -18,6 +19,8 @@ pub struct Shown {
     pub lines: Vec<(String, Shape)>,
     pub words: Vec<Words>,
     pub insertions: Vec<Insertion>,
+    /// Lines that the drawing marks as doors, from jamb to jamb.
+    pub sills: Vec<[Point; 2]>,
     work: usize,
 }
 
@@ -80,10 +83,15 @@ impl Shown {
             let shape = shape.through(place.map);
             let sound = shape.points.iter().flatten().all(|v| v.is_finite());
             if shape.points.len() >= 2 && sound {
+                if let ([a, b], true) = (shape.points.as_slice(), own::is_door(entity)) {
+                    self.sills.push([*a, *b]);
+                }
                 self.lines.push((place.layer.to_owned(), shape));
             }
         }
-        self.words.extend(words(entity, place.map));
+        if !own::is_number(entity) {
+            self.words.extend(words(entity, place.map));
+        }
         Ok(())
     }
 

@@ -49,12 +49,12 @@ fn usual_radius(swings: &[Swing]) -> Option<f64> {
     swings.iter().max_by(|a, b| near(a).total_cmp(&near(b))).map(|s| s.radius)
 }
 
-/// The best of those that lie over each other.
+/// The best of those that lie over each other, or take a better one's arc for a leaf.
 fn best(mut found: Vec<Swing>) -> Vec<Swing> {
     found.sort_by(|a, b| b.score.total_cmp(&a.score));
     let mut kept: Vec<Swing> = Vec::new();
     for swing in found {
-        if kept.iter().all(|k| !k.is_over(&swing)) {
+        if kept.iter().all(|k| !k.is_over(&swing) && !swing.leaf_is_on_arc(k)) {
             kept.push(swing);
         }
     }
@@ -64,12 +64,14 @@ fn best(mut found: Vec<Swing>) -> Vec<Swing> {
 /// The doors that leaves make, alone or two by two, in pixels of the sheet, and what draws them.
 pub fn doors(plane: &Plane, ink: &Mask, swings: &[Swing], erase: &mut Mask) -> Vec<SheetSymbol> {
     let doorways = pairs::doorways(swings);
-    doorways.iter().map(|doorway| door(plane, ink, doorway, erase)).collect()
+    doorways.iter().filter_map(|doorway| door(plane, ink, doorway, erase)).collect()
 }
 
-fn door(plane: &Plane, ink: &Mask, doorway: &Doorway, erase: &mut Mask) -> SheetSymbol {
+fn door(plane: &Plane, ink: &Mask, doorway: &Doorway, erase: &mut Mask) -> Option<SheetSymbol> {
     let wall = wall::of(plane, doorway);
-    erase::doorway(plane, ink, doorway, &wall, erase);
+    if !erase::doorway(plane, ink, doorway, &wall, erase) {
+        return None;
+    }
     let scale = f64::from(plane.factor);
     let on_sheet = |p: Vec2| p.map(|v| v * scale);
     let leaf = |s: &Swing| SheetLeaf {
@@ -77,7 +79,7 @@ fn door(plane: &Plane, ink: &Mask, doorway: &Doorway, erase: &mut Mask) -> Sheet
         closed: on_sheet(s.closed()),
         open: on_sheet(s.open()),
     };
-    SheetSymbol {
+    Some(SheetSymbol {
         kind: if doorway.leaves.len() == 2 { "double-door" } else { "door" }.into(),
         centre: on_sheet(doorway.at(doorway.width / 2.0, wall.middle())),
         angle: doorway.along[1].atan2(doorway.along[0]),
@@ -85,5 +87,5 @@ fn door(plane: &Plane, ink: &Mask, doorway: &Doorway, erase: &mut Mask) -> Sheet
         height: wall.thickness() * scale,
         score: doorway.leaves.iter().map(|l| l.score).sum::<f64>() / doorway.leaves.len() as f64,
         leaves: doorway.leaves.iter().map(leaf).collect(),
-    }
+    })
 }

@@ -46,7 +46,22 @@ impl Swing {
     pub fn is_over(&self, other: &Self) -> bool {
         distance(self.middle(), other.middle()) < 0.55 * self.radius.max(other.radius)
     }
+
+    /// Whether most of the open leaf runs along the arc that another leaf draws.
+    pub fn leaf_is_on_arc(&self, other: &Self) -> bool {
+        let steps = 10;
+        let on_arc = |k: i32| {
+            let p = moved(self.hinge, self.into, self.radius * f64::from(k) / f64::from(steps));
+            let from = [p[0] - other.hinge[0], p[1] - other.hinge[1]];
+            let between = dot(from, other.along).min(dot(from, other.across())) > -ALONG_ARC * other.radius;
+            between && (distance(p, other.hinge) - other.radius).abs() <= ALONG_ARC * other.radius
+        };
+        (0..=steps).filter(|&k| on_arc(k)).count() * 2 > steps as usize
+    }
 }
+
+/// A line this near to an arc, as a share of its radius, runs along it.
+const ALONG_ARC: f64 = 0.1;
 
 /// How much of an arc must be drawn without a gap, and how much if dashes or crossing strokes break it.
 const LEAST_WHOLE: f64 = 0.86;
