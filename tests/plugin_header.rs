@@ -88,9 +88,10 @@ fn seen_by_rust() -> Vec<Shape> {
         PlanformSymbol { size kind x y yaw width height score leaves leaf_count }
         PlanformAnchor { size latitude longitude bearing x y }
         PlanformScale { size metres_per_pixel source confidence }
+        PlanformOpening { from_x from_y to_x to_y depth kind }
         PlanformStage { size name width height rgb rgb_length }
         PlanformProblem { size status place position message advice }
-        PlanformSceneSink { size context grid text symbol anchor warning provenance fail scale flags stage }
+        PlanformSceneSink { size context grid text symbol anchor warning provenance fail scale flags stage openings }
         PlanformAdapter { size info data probe read }
         PlanformDocument { size layout grid scene }
         PlanformOutput { size context write fail stem extension companion }

@@ -13,8 +13,8 @@ use cli_support::Workshop;
 use jsonschema::Validator;
 use planform::reconstruct::{Params, reconstruct};
 use planform_sdk::{
-    Annotations, Document, DoorLeaf, GeoAnchor, Layout, Options, Point, Pose, Provenance, Scale, Scene,
-    Source, Symbol, Text, schema,
+    Annotations, Document, DoorLeaf, GeoAnchor, Layout, OpeningKind, Options, Point, Pose, Provenance, Scale,
+    Scene, Segment, Source, StatedOpening, Symbol, Text, schema,
 };
 use planform_synth::{Building, BuildingParams, ScanParams, Size, corridor_with_rooms, two_rooms};
 use serde::{Serialize, Serializer};
@@ -108,6 +108,11 @@ fn annotations() -> Annotations {
                 open: Point::new(0.7, -1.2),
             }],
         }],
+        openings: Some(vec![StatedOpening {
+            kind: OpeningKind::Passage,
+            segment: Segment::new(Point::new(1.5, -2.0), Point::new(4.0, -2.0)),
+            depth: Some(0.2),
+        }]),
         anchor: Some(GeoAnchor { latitude: 47.4, longitude: 8.5, bearing: -3.0, at: Point::new(0.5, 0.0) }),
         scale: Some(Scale { metres_per_pixel: 0.02, source: "written scale 1:100".into(), confidence: 0.9 }),
         provenance: Provenance { source: "plan.png".into(), adapter: "by-hand".into() },
@@ -119,7 +124,8 @@ fn annotations() -> Annotations {
 fn seen_in_part() -> Layout {
     let house = Building::generate(5, &BuildingParams::of_size(Size::House));
     let grid = house.scan(&ScanParams { seed: 5, unexplored: 0.5, ..ScanParams::default() }).unwrap().grid;
-    reconstruct(&Scene::new(grid, annotations()), &Params::default(), &mut ()).unwrap()
+    let annotations = Annotations { openings: None, ..annotations() };
+    reconstruct(&Scene::new(grid, annotations), &Params::default(), &mut ()).unwrap()
 }
 
 #[test]

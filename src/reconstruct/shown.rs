@@ -1,8 +1,9 @@
-//! What a document itself shows of rooms: doors, and where something is written. Robots' maps show neither.
+//! What a document itself shows of rooms: doors, where something is written, and where one room ends and the next
+//! begins. Maps as robots make them show nothing of it.
 
 use super::doors::{self, Door};
 use super::{measures, names};
-use planform_sdk::{Point, Scene, Text};
+use planform_sdk::{Point, Scene, Segment, StatedOpening, Text};
 
 /// What is known of a scene's rooms, metres from the grid's corner.
 #[derive(Debug, Clone, Default)]
@@ -11,6 +12,8 @@ pub struct Shown {
     pub doors: Vec<Door>,
     /// The middles of texts that may be rooms' names or numbers.
     pub labels: Vec<Point>,
+    /// All openings between rooms, if the document states them.
+    pub openings: Option<Vec<StatedOpening>>,
 }
 
 impl Shown {
@@ -22,8 +25,22 @@ impl Shown {
             .filter(|t| is_label(t))
             .map(|t| from_corner(scene, Point::new(t.pose.x, t.pose.y)))
             .collect();
-        Self { doors: doors::of_scene(scene), labels }
+        Self { doors: doors::of_scene(scene), labels, openings: openings(scene) }
     }
+
+    /// The ends of the stated openings: they stand in walls.
+    pub fn jambs(&self) -> Vec<Point> {
+        self.openings.iter().flatten().flat_map(|o| [o.segment.a, o.segment.b]).collect()
+    }
+}
+
+fn openings(scene: &Scene) -> Option<Vec<StatedOpening>> {
+    let place = |p: Point| from_corner(scene, p);
+    let moved = |o: &StatedOpening| {
+        let segment = Segment::new(place(o.segment.a), place(o.segment.b));
+        StatedOpening { segment, ..*o }
+    };
+    Some(scene.openings.as_ref()?.iter().map(moved).collect())
 }
 
 fn is_label(text: &Text) -> bool {

@@ -41,6 +41,7 @@ fn annotations() -> Annotations {
                 open: Point::new(0.3, 0.9),
             }],
         }],
+        openings: None,
         anchor: Some(GeoAnchor {
             latitude: 47.4,
             longitude: 8.5,

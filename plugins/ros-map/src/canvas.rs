@@ -38,6 +38,29 @@ impl Canvas {
         self.width
     }
 
+    /// What the cell is painted that holds a point in cell coordinates.
+    pub fn at(&self, p: Point) -> Option<Paint> {
+        let (x, y) = (p.x.floor(), p.y.floor());
+        let inside =
+            x >= 0.0 && y >= 0.0 && x < self.width as f64 && y < (self.cells.len() / self.width) as f64;
+        inside.then(|| self.cells[y as usize * self.width + x as usize])
+    }
+
+    /// Makes unknown cells beside free ones, or at their corners, occupied, but for those whose middles are `open`.
+    pub fn close(&mut self, open: impl Fn(Point) -> bool) {
+        let (width, height) = (self.width, self.cells.len() / self.width);
+        let around = |v: usize, most: usize| v.saturating_sub(1)..(v + 2).min(most);
+        let is_free = |x: usize, y: usize| self.cells[y * width + x] == Paint::Free;
+        let beside_free = |i: usize| {
+            let (x, y) = (i % width, i / width);
+            around(y, height).any(|row| around(x, width).any(|column| is_free(column, row)))
+        };
+        let middle = |i: usize| Point::new((i % width) as f64 + 0.5, (i / width) as f64 + 0.5);
+        let unknown = (0..self.cells.len()).filter(|&i| self.cells[i] == Paint::Unknown);
+        let closed: Vec<usize> = unknown.filter(|&i| beside_free(i) && !open(middle(i))).collect();
+        closed.into_iter().for_each(|i| self.cells[i] = Paint::Occupied);
+    }
+
     /// Paints the cells whose middles lie within the rings, by the even-odd rule, if they are `over` what they may be
     /// painted over. The rings are in cell coordinates.
     pub fn fill(&mut self, rings: &[Vec<Point>], paint: Paint, over: &[Paint]) {

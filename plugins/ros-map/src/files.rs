@@ -2,16 +2,62 @@
 
 use crate::canvas::Canvas;
 use crate::frame::Frame;
+use crate::openings::Stated;
+use planform_sdk::{OpeningKind, PluginError, Point};
 use std::io::{self, Write};
 
+/// Places of openings are written to the tenth of a millimetre.
+const DIGITS: f64 = 1e4;
+
 /// The YAML file, in the order of keys and with the style of nav2's `map_saver`; numbers with all their digits.
-pub fn write_yaml(frame: &Frame, image: &str, out: &mut dyn Write) -> io::Result<()> {
+pub fn write_yaml(
+    frame: &Frame,
+    image: &str,
+    openings: &[Stated],
+    out: &mut dyn Write,
+) -> Result<(), PluginError> {
+    write_map(frame, image, out)?;
+    write_openings(openings, out)
+}
+
+fn write_map(frame: &Frame, image: &str, out: &mut dyn Write) -> io::Result<()> {
     let Frame { resolution, origin, .. } = frame;
     writeln!(out, "image: {}", scalar(image))?;
     writeln!(out, "mode: trinary")?;
     writeln!(out, "resolution: {resolution}")?;
     writeln!(out, "origin: [{}, {}, {}]", origin.x, origin.y, origin.yaw)?;
     writeln!(out, "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196")
+}
+
+/// All openings between rooms, under a key that map servers pass over: where one is as wide as its rooms, nothing else
+/// tells where one room ends and the next begins.
+fn write_openings(openings: &[Stated], out: &mut dyn Write) -> Result<(), PluginError> {
+    writeln!(out, "planform:")?;
+    if openings.is_empty() {
+        writeln!(out, "  openings: []")?;
+        return Ok(());
+    }
+    writeln!(out, "  openings:")?;
+    for opening in openings {
+        let kind = match opening.kind {
+            OpeningKind::Door => "door",
+            OpeningKind::Passage => "passage",
+        };
+        let [from, to] = [place(opening.segment.a)?, place(opening.segment.b)?];
+        let depth = rounded(opening.depth);
+        writeln!(out, "    - {{kind: {kind}, from: {from}, to: {to}, depth: {depth}}}")?;
+    }
+    Ok(())
+}
+
+fn place(p: Point) -> Result<String, PluginError> {
+    let p = p.finite()?;
+    Ok(format!("[{}, {}]", rounded(p.x), rounded(p.y)))
+}
+
+fn rounded(v: f64) -> f64 {
+    // Zero has no sign.
+    (v * DIGITS).round() / DIGITS + 0.0
 }
 
 /// A text as YAML: plain where nothing in it could mean anything else, or in quotes.
@@ -47,7 +93,7 @@ pub fn write_pgm(canvas: &Canvas, out: &mut dyn Write) -> io::Result<()> {
 mod tests {
     use super::*;
     use crate::canvas::Paint;
-    use planform_sdk::{Point, Pose};
+    use planform_sdk::{Pose, Segment};
 
     const FRAME: Frame =
         Frame { width: 2, height: 3, resolution: 0.05, origin: Pose { x: -3.25, y: 1e-7, yaw: 0.0 } };
@@ -55,10 +101,25 @@ mod tests {
     #[test]
     fn yaml_has_the_keys_of_map_savers() {
         let mut out = vec![];
-        write_yaml(&FRAME, "map.pgm", &mut out).unwrap();
+        write_yaml(&FRAME, "map.pgm", &[], &mut out).unwrap();
         let expected = "image: map.pgm\nmode: trinary\nresolution: 0.05\norigin: [-3.25, 0.0000001, 0]\n\
-            negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+            negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\nplanform:\n  openings: []\n";
         assert_eq!(String::from_utf8(out).unwrap(), expected);
+    }
+
+    #[test]
+    fn openings_have_a_line_each() {
+        let segment = Segment::new(Point::new(1.0 / 3.0, -1e-9), Point::new(2.0, -0.5));
+        let openings =
+            [OpeningKind::Door, OpeningKind::Passage].map(|kind| Stated { kind, segment, depth: 0.2 });
+        let mut out = vec![];
+        write_openings(&openings, &mut out).unwrap();
+        let expected = "planform:\n  openings:\n\
+            \x20   - {kind: door, from: [0.3333, 0], to: [2, -0.5], depth: 0.2}\n\
+            \x20   - {kind: passage, from: [0.3333, 0], to: [2, -0.5], depth: 0.2}\n";
+        assert_eq!(String::from_utf8(out).unwrap(), expected);
+        let endless = Segment::new(Point::new(f64::NAN, 0.0), Point::new(2.0, -0.5));
+        assert!(write_openings(&[Stated { segment: endless, ..openings[0].clone() }], &mut vec![]).is_err());
     }
 
     #[test]

@@ -13,13 +13,15 @@
 //! # Files
 //!
 //! `map.yaml` has the picture `map.pgm` beside it, top row first, in greys of `map_saver`: 254 free, 0 occupied, 205
-//! unknown. The keys are those of `nav2_map_server`. `free_thresh` is 0.196 as in ROS 1: with the 0.25 that `map_saver`
+//! unknown. The keys are those of `nav2_map_server`, and one more, `planform`, which map servers pass over: it states all
+//! openings between rooms, so that who reads the map again need not guess where one room ends. `free_thresh` is 0.196 as in ROS 1: with the 0.25 that `map_saver`
 //! of nav2 writes by default, map servers take the grey 205, whose occupancy is 0.19608, for free.
 
 mod canvas;
 mod drawing;
 mod files;
 mod frame;
+mod openings;
 
 use planform_sdk::{
     Bounds, Document, Exporter, OptionKind, OptionSpec, Options, Output, PluginError, PluginInfo,
@@ -88,9 +90,11 @@ impl Exporter for RosMap {
         output: Output<'_>,
     ) -> Result<(), PluginError> {
         let frame = frame::Frame::of(document, options.number("resolution"))?;
-        files::write_yaml(&frame, &format!("{}.{PICTURE}", output.stem), output.file)?;
+        let picture = format!("{}.{PICTURE}", output.stem);
+        let drawing = drawing::draw(document.layout, &frame)?;
+        files::write_yaml(&frame, &picture, &openings::stated(&drawing), output.file)?;
         if let Some(picture) = output.companions.first_mut() {
-            files::write_pgm(&drawing::draw(document.layout, &frame)?, picture)?;
+            files::write_pgm(&drawing.canvas, picture)?;
         }
         Ok(())
     }

@@ -26,7 +26,7 @@
 #define PLANFORM_ABI_MAJOR 1
 
 // See PLANFORM_ABI_MAJOR.
-#define PLANFORM_ABI_MINOR 2
+#define PLANFORM_ABI_MINOR 3
 
 // It did what it was asked.
 #define PLANFORM_OK 0
@@ -54,6 +54,12 @@
 
 // The flag of a sink that makes use of the stages' pictures. Since version 1.1.
 #define PLANFORM_WANTS_PICTURES 1
+
+// What a PlanformOpening is: of a door's width. Since version 1.3.
+#define PLANFORM_DOOR 0
+
+// What a PlanformOpening is: wider than a door. Since version 1.3.
+#define PLANFORM_PASSAGE 1
 
 // What PlanformProblem.position counts: nothing, the problem has no place.
 #define PLANFORM_NOWHERE 0
@@ -346,6 +352,22 @@ typedef struct PlanformStage {
   size_t rgb_length;
 } PlanformStage;
 
+// An opening between two rooms that a document states, metres in the map frame. Since version 1.3.
+typedef struct PlanformOpening {
+  // One end, in the middle of the wall.
+  double from_x;
+  // The same, up.
+  double from_y;
+  // The other end.
+  double to_x;
+  // The same, up.
+  double to_y;
+  // Thickness of the wall, metres; 0 where the rooms' floors meet, less where it is not stated.
+  double depth;
+  // PLANFORM_DOOR or PLANFORM_PASSAGE.
+  uint32_t kind;
+} PlanformOpening;
+
 // Takes what an adapter finds in a document. Valid until the call returns. A callback copies what it is given; one
 // that does not return PLANFORM_OK has refused it, and the adapter should give up and return that status.
 typedef struct PlanformSceneSink {
@@ -375,6 +397,9 @@ typedef struct PlanformSceneSink {
   // Takes a stage of the work when it is done; to be called for each, or never. Since version 1.1: only there if
   // `size` says so.
   PlanformStatus (*stage)(void *context, const struct PlanformStage *stage);
+  // Takes all openings between rooms, if the document states them; to be called once, or never. With a count of 0
+  // there are none. Since version 1.3: only there if `size` says so.
+  PlanformStatus (*openings)(void *context, const struct PlanformOpening *openings, size_t count);
 } PlanformSceneSink;
 
 // Reads one family of document formats. Valid for ever.

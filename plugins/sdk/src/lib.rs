@@ -40,5 +40,7 @@ pub use layout::{
     RoomId, RoomState, Wall,
 };
 pub use options::{Bounds, OptionKind, OptionSpec, OptionValue, Options, PluginInfo};
-pub use scene::{Annotations, DOOR_KINDS, DoorLeaf, GeoAnchor, Provenance, Scale, Scene, Symbol, Text};
+pub use scene::{
+    Annotations, DOOR_KINDS, DoorLeaf, GeoAnchor, Provenance, Scale, Scene, StatedOpening, Symbol, Text,
+};
 pub use watch::{Picture, ReadWatcher};

@@ -1,6 +1,6 @@
 //! What an input adapter reads out of a document.
 
-use crate::{Grid, Point, Pose};
+use crate::{Grid, OpeningKind, Point, Pose, Segment};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +13,8 @@ pub struct Scene {
     pub texts: Vec<Text>,
     /// The symbols found, in the map frame.
     pub symbols: Vec<Symbol>,
+    /// All openings between rooms, if the document states them: where there is none, no room ends.
+    pub openings: Option<Vec<StatedOpening>>,
     /// Where the map frame lies on the Earth, if the document says so.
     pub anchor: Option<GeoAnchor>,
     /// How large the document shows the building, for documents whose cells were not measured, such as plans.
@@ -31,16 +33,17 @@ impl Scene {
 
     /// A scene of a grid and these annotations.
     pub fn new(grid: Grid, annotations: Annotations) -> Self {
-        let Annotations { texts, symbols, anchor, scale, provenance, warnings } = annotations;
-        Self { grid, texts, symbols, anchor, scale, provenance, warnings }
+        let Annotations { texts, symbols, openings, anchor, scale, provenance, warnings } = annotations;
+        Self { grid, texts, symbols, openings, anchor, scale, provenance, warnings }
     }
 
     /// All but the grid.
     pub fn annotations(&self) -> Annotations {
-        let Self { grid: _, texts, symbols, anchor, scale, provenance, warnings } = self;
+        let Self { grid: _, texts, symbols, openings, anchor, scale, provenance, warnings } = self;
         Annotations {
             texts: texts.clone(),
             symbols: symbols.clone(),
+            openings: openings.clone(),
             anchor: *anchor,
             scale: scale.clone(),
             provenance: provenance.clone(),
@@ -56,6 +59,9 @@ pub struct Annotations {
     pub texts: Vec<Text>,
     /// The symbols found, in the map frame.
     pub symbols: Vec<Symbol>,
+    /// All openings between rooms, if the document states them: where there is none, no room ends.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub openings: Option<Vec<StatedOpening>>,
     /// Where the map frame lies on the Earth, if the document says so.
     pub anchor: Option<GeoAnchor>,
     /// How large the document shows the building, for documents whose cells were not measured, such as plans.
@@ -175,6 +181,19 @@ impl DoorLeaf {
     fn bearing(&self, end: Point) -> f64 {
         (end.y - self.hinge.y).atan2(end.x - self.hinge.x)
     }
+}
+
+/// An opening between two rooms as a document states it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct StatedOpening {
+    /// Door or passage.
+    pub kind: OpeningKind,
+    /// From one end to the other, in the middle of the wall, metres in the map frame.
+    pub segment: Segment,
+    /// Thickness of the wall, metres, if that is stated too; 0 where the rooms' floors meet.
+    #[serde(default)]
+    #[schemars(range(min = 0))]
+    pub depth: Option<f64>,
 }
 
 /// How large a document shows the building.

@@ -3,7 +3,7 @@
 //! Two kinds of documents are read:
 //!
 //! * the YAML file of ROS `map_server` or `nav2_map_server`, with the picture that it names: cells as the robot itself
-//!   would load them, in the map's own frame;
+//!   would load them, in the map's own frame; and the openings between rooms that a map written by planform states;
 //! * a bare picture (PNG, PGM and its kin, BMP, TIFF, JPEG): the darker the more occupied, with the grey of unknown
 //!   space found from the picture, and the map frame's origin at the picture's lower left corner.
 
@@ -16,6 +16,7 @@ mod picture;
 mod probe;
 mod ros_map;
 mod scalar;
+mod stated;
 mod unknown_grey;
 
 use document::Kind;

@@ -1,10 +1,11 @@
 //! Reads the YAML file of a map server.
 
 use crate::mode::{Mode, Rules};
-use crate::scalar;
-use planform_sdk::{ErrorKind, Place, PluginError, Pose};
+use crate::{scalar, stated};
+use planform_sdk::{ErrorKind, Place, PluginError, Pose, StatedOpening};
 use serde::Deserialize;
-use serde_saphyr::{Location, Spanned};
+use serde::de::DeserializeOwned;
+use serde_saphyr::{Location, NonFiniteFloatPolicy, Spanned};
 
 /// The most bytes that a YAML file may have. Real ones have a few hundred.
 const BYTE_LIMIT: usize = 1 << 20;
@@ -23,6 +24,8 @@ pub struct Metadata {
     pub origin: Pose,
     /// How pixels become cells.
     pub rules: Rules,
+    /// All openings between rooms, if the file states them.
+    pub openings: Option<Vec<StatedOpening>>,
     /// What the user should know.
     pub warnings: Vec<String>,
 }
@@ -45,7 +48,8 @@ type Scalar = Spanned<String>;
 impl Metadata {
     /// Reads the whole file.
     pub fn parse(bytes: &[u8]) -> Result<Self, PluginError> {
-        let raw = parse_yaml(bytes)?;
+        let text = text(bytes)?;
+        let raw = parse_yaml(&text)?;
         let mut warnings = vec![];
         Ok(Self {
             image: image(raw.image)?,
@@ -56,19 +60,29 @@ impl Metadata {
                 negate: negate(raw.negate, &mut warnings)?,
                 ..thresholds(raw.occupied_thresh, raw.free_thresh, &mut warnings)?
             },
+            openings: stated::read(&text, &mut warnings),
             warnings,
         })
     }
 }
 
-fn parse_yaml(bytes: &[u8]) -> Result<Raw, PluginError> {
+/// Comments may be in any encoding, and no key that matters but `image` holds letters.
+fn text(bytes: &[u8]) -> Result<String, PluginError> {
     if bytes.len() > BYTE_LIMIT {
         let message = format!("the YAML file has {} bytes; the most are {BYTE_LIMIT}", bytes.len());
         return Err(PluginError::new(ErrorKind::Limit, message).advise("is it the map's YAML file?"));
     }
-    // Comments may be in any encoding, and no key that matters but `image` holds letters.
-    let text = String::from_utf8_lossy(bytes);
-    serde_saphyr::from_str(text.trim_start_matches('\u{feff}')).map_err(|e| {
+    Ok(String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_owned())
+}
+
+/// The keys that are asked for; whatever else is in the file may be no number.
+pub fn keys<T: DeserializeOwned>(text: &str) -> Result<T, serde_saphyr::Error> {
+    let options = serde_saphyr::options! { non_finite_float_policy: NonFiniteFloatPolicy::PassThrough };
+    serde_saphyr::from_str_with_options(text, options)
+}
+
+fn parse_yaml(text: &str) -> Result<Raw, PluginError> {
+    keys(text).map_err(|e| {
         let reason = e.without_snippet().to_string();
         let reason = shorten(reason.lines().next().unwrap_or_default(), 200);
         let message = format!("the file is not the YAML of a map server: {reason}");

@@ -5,6 +5,7 @@ use crate::metadata::Metadata;
 use crate::mode::{Mode, Rules};
 use crate::options::{self, NAME, Unknown};
 use crate::picture::{Picture, Tone};
+use crate::stated;
 use planform_sdk::{Cell, ErrorKind, Grid, Options, PluginError, Provenance, Scene, Source};
 
 /// The grey that `map_saver` writes for unknown.
@@ -21,6 +22,8 @@ pub fn read(source: &Source, options: &Options) -> Result<Scene, PluginError> {
     let mut scene = Scene::of_grid(grid, Provenance { source: source.name(), adapter: NAME.into() });
     let of_options = option_warnings(&metadata, options)?;
     scene.warnings = [metadata.warnings, of_options, picture_warnings(&metadata.rules, &picture)].concat();
+    let scale = resolution / metadata.resolution;
+    scene.openings = metadata.openings.map(|o| stated::placed(o, &scene.grid, scale, &mut scene.warnings));
     Ok(scene)
 }
 

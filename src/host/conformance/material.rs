@@ -2,7 +2,7 @@
 
 use planform_sdk::{
     Annotations, Cell, DoorLeaf, GeoAnchor, Grid, Layout, Opening, OpeningKind, Point, Polygon, Pose,
-    Provenance, Room, RoomState, Scale, Scene, Segment, Source, Symbol, Text, Wall,
+    Provenance, Room, RoomState, Scale, Scene, Segment, Source, StatedOpening, Symbol, Text, Wall,
 };
 use std::path::PathBuf;
 
@@ -208,6 +208,11 @@ pub fn scene(width: u32, height: u32) -> Option<Scene> {
     let annotations = Annotations {
         texts: vec![text],
         symbols: vec![symbol("fire-extinguisher", vec![]), symbol("door", vec![leaf])],
+        openings: Some(vec![StatedOpening {
+            kind: OpeningKind::Door,
+            segment: Segment::new(at(0.5, 1.0), at(1.5, 1.0)),
+            depth: Some(0.1),
+        }]),
         scale: Some(Scale { metres_per_pixel: 0.02, source: "door widths".into(), confidence: 0.5 }),
         ..Annotations::default()
     };

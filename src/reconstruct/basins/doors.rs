@@ -19,7 +19,7 @@ const HALF: f64 = 0.75;
 const ASIDE: f64 = 1.5;
 
 /// A door as a line of cells: columns and rows of cell centres.
-struct Line {
+pub struct Line {
     from: Point,
     along: Point,
     length: f64,
@@ -28,22 +28,34 @@ struct Line {
 impl Line {
     /// From wall to wall along a door; none where no wall is near its jambs: what was taken for a door parts nothing.
     fn of(door: &Door, space: &Space) -> Option<Self> {
-        let [a, b] = [door.segment.a, door.segment.b].map(|p| cell(space, p));
-        let width = a.distance(b);
-        let along = Point::new((b.x - a.x) / width, (b.y - a.y) / width);
-        let inside = Self { from: a, along, length: width };
-        if !(width.is_finite() && width > 0.0 && inside.cells(space).any(|i| space.free[i])) {
-            return None;
-        }
-        let before = inside.wall(space, 0.0, -1.0)?;
-        let after = inside.wall(space, width, 1.0)?;
-        let from = Point::new(a.x - before * along.x, a.y - before * along.y);
-        Some(Self { from, along, length: before + width + after })
+        let [a, b] = [door.segment.a, door.segment.b].map(|p| space.cell(p));
+        let inside = Self::between(a, b).filter(|line| line.cells(space).any(|i| space.free[i]))?;
+        let before = inside.wall(space, 0.0, -1.0, LEANING)?;
+        let after = inside.wall(space, inside.length, 1.0, LEANING)?;
+        Some(inside.extended(before, after))
+    }
+
+    /// From one place to another one, in cells.
+    pub fn between(a: Point, b: Point) -> Option<Self> {
+        let length = a.distance(b);
+        let along = Point::new((b.x - a.x) / length, (b.y - a.y) / length);
+        (length.is_finite() && length > 0.0).then_some(Self { from: a, along, length })
+    }
+
+    /// The same up to the walls near its ends that stand no farther aside than this, metres; or by some cells where
+    /// there is none.
+    pub fn lengthened(&self, space: &Space, leaning: f64, otherwise: f64) -> Self {
+        let before = self.wall(space, 0.0, -1.0, leaning).unwrap_or(otherwise);
+        self.extended(before, self.wall(space, self.length, 1.0, leaning).unwrap_or(otherwise))
+    }
+
+    fn extended(&self, before: f64, after: f64) -> Self {
+        Self { from: self.at(-before, 0.0), along: self.along, length: before + self.length + after }
     }
 
     /// How far it is from a place on the line to the wall, in one sense of the line; cells.
-    fn wall(&self, space: &Space, at: f64, sense: f64) -> Option<f64> {
-        let [most, aside] = [BEYOND, LEANING].map(|metres| metres / space.resolution);
+    fn wall(&self, space: &Space, at: f64, sense: f64, leaning: f64) -> Option<f64> {
+        let [most, aside] = [BEYOND, leaning].map(|metres| metres / space.resolution);
         let is_wall = |t: f64| {
             [0.0, -aside, -aside / 2.0, aside / 2.0, aside].into_iter().any(|left| {
                 let p = self.at(at + sense * t, left);
@@ -58,20 +70,23 @@ impl Line {
         Point::new(self.from.x + along * x - left * y, self.from.y + along * y + left * x)
     }
 
+    /// On which side of the line a cell lies, and the cells beside it on that side, the nearest first.
+    pub fn aside(&self, space: &Space, i: usize) -> impl Iterator<Item = usize> {
+        let (x, y) = ((i % space.width) as f64, (i / space.width) as f64);
+        let Point { x: dx, y: dy } = self.along;
+        let left = (y - self.from.y) * dx - (x - self.from.x) * dy;
+        let sense = if left > 0.0 { 1.0 } else { -1.0 };
+        let steps = (1..=6).map(move |k| sense * f64::from(k) / 2.0);
+        steps.filter_map(move |t| space.index(x - t * dy, y + t * dx))
+    }
+
     /// The cells on the line that lie in the space; some come twice.
-    fn cells(&self, space: &Space) -> impl Iterator<Item = usize> {
+    pub fn cells(&self, space: &Space) -> impl Iterator<Item = usize> {
         let across = [-HALF, -HALF / 2.0, 0.0, HALF / 2.0, HALF];
         let steps = (0..=(2.0 * self.length).ceil() as usize).map(|k| (k as f64 / 2.0).min(self.length));
         let places = steps.flat_map(move |along| across.map(|left| self.at(along, left)));
         places.filter_map(|p| space.index(p.x, p.y))
     }
-}
-
-/// The place of a point in metres from the grid's corner, in columns and rows of the space.
-fn cell(space: &Space, p: Point) -> Point {
-    let place =
-        |metres: f64, corner: usize| metres / space.resolution - (corner * space.fineness) as f64 + 1.0 - 0.5;
-    Point::new(place(p.x, space.corner.0), place(p.y, space.corner.1))
 }
 
 /// Which free cells lie on doors; nothing if there are none.
@@ -89,8 +104,14 @@ pub fn cells(space: &Space, doors: &[Door]) -> Vec<bool> {
 
 /// Metres of door between each two labels, the smaller first.
 pub fn between(space: &Space, label: &[u32], doors: &[Door]) -> BTreeMap<(u32, u32), f64> {
+    let lines: Vec<Line> = doors.iter().filter_map(|d| Line::of(d, space)).collect();
+    beside(space, label, &lines)
+}
+
+/// Metres of line between each two labels, the smaller first.
+pub fn beside(space: &Space, label: &[u32], lines: &[Line]) -> BTreeMap<(u32, u32), f64> {
     let mut found = BTreeMap::new();
-    for line in doors.iter().filter_map(|d| Line::of(d, space)) {
+    for line in lines {
         let side = |along: f64, left: f64| {
             let p = line.at(along, left);
             space.index(p.x, p.y).map_or(0, |i| label[i])
@@ -108,7 +129,7 @@ pub fn between(space: &Space, label: &[u32], doors: &[Door]) -> BTreeMap<(u32, u
 /// The labels in which these points lie.
 pub fn under(space: &Space, label: &[u32], points: &[Point]) -> BTreeSet<u32> {
     let at = |p: &Point| {
-        let p = cell(space, *p);
+        let p = space.cell(*p);
         space.index(p.x, p.y).map(|i| label[i]).filter(|&l| l != 0)
     };
     points.iter().filter_map(at).collect()
@@ -140,7 +161,7 @@ mod tests {
     }
 
     fn shown(doors: &[Door]) -> Shown {
-        Shown { doors: doors.to_vec(), labels: vec![] }
+        Shown { doors: doors.to_vec(), ..Shown::default() }
     }
 
     fn rooms(space: Space, doors: &[Door]) -> usize {
@@ -174,7 +195,7 @@ mod tests {
         let doors = row().1;
         let at = |x: f64| Point::new(x, 1.5);
         let likely = |labels: Vec<Point>, doors: &[Door], a: f64, b: f64| {
-            let cut = Cut::of_shown(row().0, &Shown { doors: doors.to_vec(), labels });
+            let cut = Cut::of_shown(row().0, &Shown { doors: doors.to_vec(), labels, openings: None });
             let view = cut.view();
             let [a, b] = [a, b].map(|x| under(&cut.space, &cut.basins.label, &[at(x)]));
             cut.regions(&view).likely_one(*a.first().unwrap(), *b.first().unwrap())

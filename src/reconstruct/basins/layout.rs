@@ -7,13 +7,13 @@ use super::super::names::{self, Called};
 use super::super::openings::Gap;
 use super::super::raster::Mask;
 use super::super::shown::Shown;
-use super::super::straight::{self, Labelled, Plan, RoomPlan, StraightWall};
+use super::super::straight::{self, Labelled, Plan, RoomPlan, Straight, StraightWall};
 use super::super::{Drawing, Observer, Params, ReconstructError, Step};
-use super::explored::{self, Border, Knowledge};
+use super::explored::{self, Border, Explored, Knowledge};
 use super::model::Model;
 use super::space::Space;
 use super::{Cut, aligned, merge, pockets};
-use planform_sdk::{Frontier, Grid, Layout, Opening, Room, RoomId, RoomState, Scene, Wall};
+use planform_sdk::{Frontier, Grid, Layout, Opening, Room, RoomId, RoomState, Scene, StatedOpening, Wall};
 
 /// Runs all steps.
 pub fn reconstruct(
@@ -29,8 +29,9 @@ pub fn reconstruct(
         return Err(ReconstructError::NoWalls);
     }
     let rooms = run.rooms(&cut, &scene.grid, &map);
-    let known = run.known(&map, &rooms, scene.grid.resolution());
-    let plan = run.plan(&map, &known, scene.grid.resolution());
+    let stated = shown.openings.as_deref().unwrap_or_default();
+    let known = run.known(&map, &rooms, scene.grid.resolution(), stated);
+    let plan = run.plan(&map, &known, scene.grid.resolution(), stated);
     Ok(layout(
         params,
         &Found {
@@ -86,7 +87,8 @@ impl Run<'_> {
 
     fn cut(&mut self, grid: &Grid, map: &Map, shown: &Shown) -> Result<Cut, ReconstructError> {
         self.observer.step(Step::Clutter);
-        let space = Space::of_mask(&map.free, grid.resolution(), &self.params.furniture)
+        let fixed = shown.jambs();
+        let space = Space::of_mask(&map.free, grid.resolution(), &self.params.furniture, &fixed)
             .ok_or(ReconstructError::NoFreeSpace)?;
         self.observer.step(Step::Basins);
         let cut = Cut::of_shown(space, shown);
@@ -111,24 +113,37 @@ impl Run<'_> {
         Rooms { label, count }
     }
 
+    /// A map that states its openings was drawn of floors that were completed before.
+    fn explored(&self, stated: &[StatedOpening]) -> Explored {
+        let params = self.params.explored.clone();
+        if stated.is_empty() { params } else { Explored { reach: 0.0, ..params } }
+    }
+
+    /// A map that states its openings was drawn of straight walls: what is left to smooth are its cells.
+    fn straight(&self, stated: &[StatedOpening]) -> Straight {
+        let params = self.params.straight.clone();
+        if stated.is_empty() { params } else { Straight { tolerance: 0.0, ..params } }
+    }
+
     /// Which rooms are partial, and all completed.
-    fn known(&mut self, map: &Map, rooms: &Rooms, resolution: f64) -> Knowledge {
+    fn known(&mut self, map: &Map, rooms: &Rooms, resolution: f64, stated: &[StatedOpening]) -> Knowledge {
         self.observer.step(Step::Partial);
         let Map { free, obstacles } = map;
-        let labelled = Labelled { resolution, label: &rooms.label, rooms: rooms.count, free, obstacles };
+        let labelled =
+            Labelled { resolution, label: &rooms.label, rooms: rooms.count, free, obstacles, stated };
         let straight = &self.params.straight;
         let main = straight::directions(&labelled, straight);
-        let known = explored::explore(&labelled, &main, straight, &self.params.explored);
+        let known = explored::explore(&labelled, &main, straight, &self.explored(stated));
         self.draw(Step::Partial, || drawings::labels(&everywhere(free), &known.label));
         known
     }
 
-    fn plan(&mut self, map: &Map, known: &Knowledge, resolution: f64) -> Plan {
+    fn plan(&mut self, map: &Map, known: &Knowledge, resolution: f64, stated: &[StatedOpening]) -> Plan {
         self.observer.step(Step::Walls);
         let Map { free, obstacles } = map;
         let labelled =
-            Labelled { resolution, label: &known.label, rooms: known.partial.len(), free, obstacles };
-        let plan = straight::plan(&labelled, &self.params.straight);
+            Labelled { resolution, label: &known.label, rooms: known.partial.len(), free, obstacles, stated };
+        let plan = straight::plan(&labelled, &self.straight(stated));
         self.draw(Step::Walls, || {
             let rooms = plan.rooms.iter().zip(&known.partial);
             let floors: Vec<_> =

@@ -43,6 +43,9 @@ const DOOR: f64 = -12.0;
 /// What it adds that one of them is likely a piece of the other's room, as the free floor between furniture is.
 const PIECE: f64 = 3.0;
 
+/// What it adds that the document states all openings, and none between the two.
+const OPEN: f64 = 12.0;
+
 /// Merges regions until none is left to merge. `seen` is told of every pair in the order in which they are looked
 /// at, with its evidence, and decides whether the two are one room.
 pub fn agglomerate(
@@ -112,10 +115,15 @@ struct Queue {
 
 impl Queue {
     fn push(&mut self, regions: &mut Regions<'_>, model: &Model, pair: (u32, u32)) {
+        let stated = regions.stated_one(pair.0, pair.1);
+        if stated == Some(false) {
+            return;
+        }
         let Some(evidence) = evidence::weigh(regions, pair.0, pair.1) else { return };
         let door = if regions.door(pair.0, pair.1) { DOOR } else { 0.0 };
         let piece = if regions.likely_one(pair.0, pair.1) { PIECE } else { 0.0 };
-        let odds = model.log_odds(&evidence) + door + piece;
+        let open = if stated.is_some() { OPEN } else { 0.0 };
+        let odds = model.log_odds(&evidence) + door + piece + open;
         let version = self.versions.entry(pair).and_modify(|v| *v += 1).or_default();
         self.heap.push(Waiting { odds, pair, version: *version, evidence });
     }
@@ -150,7 +158,7 @@ fn join_corridors(regions: &mut Regions<'_>, params: &Merge) {
 /// The clearance of the widest passage between two regions over half the mean width of the wider one; none if one of
 /// them is less elongated than asked for, or if a known door is between them.
 fn relative_width(regions: &mut Regions<'_>, (a, b): (u32, u32), elongation: f64) -> Option<f64> {
-    if regions.door(a, b) {
+    if regions.door(a, b) || regions.stated_one(a, b) == Some(false) {
         return None;
     }
     let [wide, width] = [a, b].map(|r| {

@@ -18,6 +18,7 @@ pub mod passage;
 mod pockets;
 pub mod regions;
 pub mod space;
+mod stated;
 pub mod watershed;
 mod weights;
 
@@ -29,6 +30,7 @@ use passage::View;
 use planform_sdk::{Cell, Grid};
 use regions::Regions;
 use space::Space;
+use stated::{Chambers, Stated};
 use std::collections::{BTreeMap, BTreeSet};
 use watershed::Basins;
 
@@ -49,6 +51,8 @@ pub struct Cut {
     doors: BTreeMap<(u32, u32), f64>,
     /// The basins that something is written in.
     named: BTreeSet<u32>,
+    /// What the stated openings make of the basins.
+    stated: Option<Stated>,
 }
 
 /// A room is at least this large, square metres.
@@ -62,7 +66,7 @@ impl Cut {
     pub fn of_grid(grid: &Grid, params: &Params) -> Option<Self> {
         let is_free = |c: Cell| c.occupancy().is_some_and(|o| o <= params.contour.free);
         let free = Mask::of_grid(grid, is_free);
-        Space::of_mask(&free, grid.resolution(), &params.furniture).map(Self::of_space)
+        Space::of_mask(&free, grid.resolution(), &params.furniture, &[]).map(Self::of_space)
     }
 
     /// Cuts a space.
@@ -73,10 +77,19 @@ impl Cut {
     /// Cuts a space of which a document shows this, along its doors in any case.
     pub fn of_shown(space: Space, shown: &Shown) -> Self {
         let clearance = clearance::measure(&space);
-        let basins = watershed::cut(&space, &clearance, &doors::cells(&space, &shown.doors));
+        let chambers = shown.openings.as_ref().map(|o| Chambers::of(&space, o));
+        let lines = match &chambers {
+            Some(chambers) => chambers.on_line.clone(),
+            None => doors::cells(&space, &shown.doors),
+        };
+        let mut basins = watershed::cut(&space, &clearance, &lines);
+        if let Some(chambers) = &chambers {
+            chambers.share_out(&space, &mut basins.label);
+        }
         let doors = doors::between(&space, &basins.label, &shown.doors);
         let named = doors::under(&space, &basins.label, &shown.labels);
-        Self { space, clearance, basins, doors, named }
+        let stated = chambers.map(|c| c.of_basins(&space, &basins));
+        Self { space, clearance, basins, doors, named, stated }
     }
 
     /// One region for each basin.
@@ -84,6 +97,9 @@ impl Cut {
         let mut regions = Regions::of_basins(view, &self.basins);
         regions.know_doors(&self.doors);
         regions.know_names(&self.named);
+        if let Some(stated) = &self.stated {
+            regions.know_openings(stated);
+        }
         regions
     }
 

@@ -2,6 +2,7 @@
 
 use super::hull::Hull;
 use super::passage::{Passage, View};
+use super::stated::Stated;
 use super::watershed::Basins;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -42,6 +43,8 @@ pub struct Region {
     doors: BTreeMap<u32, f64>,
     /// Whether something is written in it.
     named: bool,
+    /// Its part of the free space between stated openings.
+    chamber: u32,
 }
 
 impl Region {
@@ -72,6 +75,8 @@ pub struct Regions<'a> {
     boundaries: BTreeMap<(u32, u32), Boundary>,
     /// Whether the document shows its doors as such.
     shows_doors: bool,
+    /// Whether the document states all openings.
+    states_openings: bool,
 }
 
 /// The two, the smaller first.
@@ -87,6 +92,7 @@ impl<'a> Regions<'a> {
             regions: single_regions(view, basins),
             boundaries: BTreeMap::new(),
             shows_doors: false,
+            states_openings: false,
         };
         for (a, b, cell) in meetings(view, &basins.label, |_, _| true) {
             graph.boundaries.entry(pair(a, b)).or_default().cells.push(cell);
@@ -146,6 +152,24 @@ impl<'a> Regions<'a> {
     /// Tells in which regions something is written.
     pub fn know_names(&mut self, named: &BTreeSet<u32>) {
         named.iter().for_each(|&r| self.regions[r as usize].named = true);
+    }
+
+    /// Tells of the openings that the document states.
+    pub fn know_openings(&mut self, stated: &Stated) {
+        self.states_openings = true;
+        for (region, &chamber) in self.regions.iter_mut().zip(&stated.chambers) {
+            region.chamber = chamber;
+        }
+        for (&(a, b), &metres) in &stated.between {
+            self.regions[a as usize].doors.insert(b, metres);
+            self.regions[b as usize].doors.insert(a, metres);
+        }
+    }
+
+    /// Whether the document states that two regions are one room, or that they are not.
+    pub fn stated_one(&self, a: u32, b: u32) -> Option<bool> {
+        let same = self.get(a)?.chamber == self.get(b)?.chamber;
+        self.states_openings.then(|| same && !self.door(a, b))
     }
 
     /// Whether one of two regions is likely a piece of the other's room: it is small, nothing is written in it, and the
@@ -257,6 +281,7 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
             beside: BTreeSet::new(),
             walls: BTreeMap::new(),
             named: false,
+            chamber: 0,
             doors: BTreeMap::new(),
         }
     };

@@ -4,6 +4,7 @@
 //! with a wall, or hangs together with one but for a cell or two, is the rest of a wall.
 
 use super::super::raster::{Components, Mask};
+use planform_sdk::Point;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_PI_3, PI, TAU};
@@ -51,6 +52,9 @@ const SPACED: f64 = 2.0;
 /// How far an arm may lean from the direction that it points in, as a share of its length: 7 degrees for each half.
 const LEAN: f64 = 0.125;
 
+/// What is fixed reaches this far, metres.
+const FIXED: f64 = 0.25;
+
 /// In how many directions arms are looked for.
 const TURNS: u32 = 72;
 
@@ -72,9 +76,10 @@ pub struct Space {
 
 impl Space {
     /// The free space of a map without furniture and specks, if there is any; `mask` are the free cells.
-    pub fn of_mask(mask: &Mask, resolution: f64, furniture: &Furniture) -> Option<Self> {
+    /// What lies at one of `fixed`, in metres from the grid's corner, is no furniture.
+    pub fn of_mask(mask: &Mask, resolution: f64, furniture: &Furniture, fixed: &[Point]) -> Option<Self> {
         let mut space = Self::refined(mask, resolution)?;
-        space.clear(furniture);
+        space.clear(furniture, fixed);
         space.drop_specks();
         space.free.contains(&true).then_some(space)
     }
@@ -107,6 +112,14 @@ impl Space {
         let (c, r) = (column.round(), row.round());
         let inside = c >= 0.0 && r >= 0.0 && c < self.width as f64 && r < self.height as f64;
         inside.then(|| r as usize * self.width + c as usize)
+    }
+
+    /// The place of a point in metres from the grid's corner, in columns and rows of cell centres.
+    pub fn cell(&self, p: Point) -> Point {
+        let place = |metres: f64, corner: usize| {
+            metres / self.resolution - (corner * self.fineness) as f64 + 1.0 - 0.5
+        };
+        Point::new(place(p.x, self.corner.0), place(p.y, self.corner.1))
     }
 
     /// Square metres of a number of cells.
@@ -150,7 +163,8 @@ impl Space {
         grown
     }
 
-    fn mask(&self, bits: Vec<bool>) -> Mask {
+    /// A mask of the space's cells.
+    pub fn mask(&self, bits: Vec<bool>) -> Mask {
         Mask::new(self.width, self.height, bits)
     }
 
@@ -164,8 +178,9 @@ impl Space {
     }
 
     /// Makes furniture free.
-    fn clear(&mut self, furniture: &Furniture) {
-        let islands = Islands::of(self, furniture);
+    fn clear(&mut self, furniture: &Furniture, fixed: &[Point]) {
+        let mut islands = Islands::of(self, furniture);
+        islands.fix(self, fixed);
         let gone = islands.furniture(self, furniture);
         for (free, &l) in self.free.iter_mut().zip(&islands.label) {
             *free = *free || gone[l as usize];
@@ -210,6 +225,22 @@ impl Islands {
             }
         }
         Self { label, cells, extent, small }
+    }
+
+    /// Islands at these places are no furniture.
+    fn fix(&mut self, space: &Space, places: &[Point]) {
+        let reach = FIXED / space.resolution;
+        let steps = reach.floor() as i32;
+        let disc =
+            || (-steps..=steps).flat_map(|y| (-steps..=steps).map(move |x| (f64::from(x), f64::from(y))));
+        for place in places.iter().map(|p| space.cell(*p)) {
+            let near = disc().filter(|(x, y)| x.hypot(*y) <= reach);
+            for i in near.filter_map(|(x, y)| space.index(place.x + x, place.y + y)) {
+                if let Some(small) = self.small.get_mut(self.label[i] as usize) {
+                    *small = false;
+                }
+            }
+        }
     }
 
     /// For each label whether its cells are furniture; the last one is that of the free cells.
@@ -399,7 +430,7 @@ pub mod tests {
 
     fn cleared(rows: &[&str]) -> String {
         let mut space = space(rows, 0.25);
-        space.clear(&Furniture::default());
+        space.clear(&Furniture::default(), &[]);
         let row = |r: usize| -> String {
             (1..space.width - 1).map(|c| if space.free[r * space.width + c] { '.' } else { '#' }).collect()
         };

@@ -7,7 +7,7 @@ use super::super::directions::{difference, line_angle};
 use super::Labelled;
 use super::carrier::Carrier;
 use super::trace::corner_point;
-use planform_sdk::{Point, Segment};
+use planform_sdk::{OpeningKind, Point, Segment, StatedOpening};
 use std::collections::BTreeMap;
 
 /// An opening is turned to a main direction that is nearer than this, radians: the boundary of two labels may cross
@@ -35,6 +35,8 @@ pub struct Doorway {
     pub depth: f64,
     /// The rooms, the smaller first.
     pub rooms: [usize; 2],
+    /// What it is, if the document states it.
+    pub kind: Option<OpeningKind>,
 }
 
 /// Finds the openings, and takes their cells out of `label`. Where there is no wall, the labels are parted along the
@@ -43,6 +45,13 @@ pub fn take(input: &Labelled<'_>, main: &[f64], max_depth: f64, label: &mut [u32
     let mut found = Vec::new();
     for (rooms, pieces) in boundaries(input) {
         for piece in pieces {
+            if let Some(stated) = stated(input, &piece) {
+                let doorway = take_stated(input, stated, rooms, max_depth, label);
+                if !found.contains(&doorway) {
+                    found.push(doorway);
+                }
+                continue;
+            }
             let Some(look) = Look::of(input, main, &piece, rooms) else { continue };
             let [below, above] = look.depth(max_depth);
             if below + above > 0.0 {
@@ -52,10 +61,42 @@ pub fn take(input: &Labelled<'_>, main: &[f64], max_depth: f64, label: &mut [u32
             }
             let to = |along| look.line.point(along, (above - below) / 2.0);
             let segment = Segment::new(to(look.from), to(look.to));
-            found.push(Doorway { segment, depth: below + above, rooms: rooms.map(|l| l as usize - 1) });
+            let rooms = rooms.map(|l| l as usize - 1);
+            found.push(Doorway { segment, depth: below + above, rooms, kind: None });
         }
     }
     found
+}
+
+/// The nearest stated opening that a piece of a boundary lies in.
+fn stated<'a>(input: &Labelled<'a>, piece: &[Corner]) -> Option<&'a StatedOpening> {
+    let middle = chord(piece, input.resolution)?.midpoint();
+    let near = input.stated.iter().filter_map(|o| {
+        let line = Carrier::of(&o.segment);
+        let (from, to) = (line.along(o.segment.a), line.along(o.segment.b));
+        let within = (from - JAMB..=to + JAMB).contains(&line.along(middle));
+        let side = line.side(middle).abs();
+        (within && side <= JAMB + o.depth.unwrap_or(0.0) / 2.0).then_some((side, o))
+    });
+    near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, o)| o)
+}
+
+/// A stated opening is where it is stated; if its depth is not, that is looked for.
+fn take_stated(
+    input: &Labelled<'_>,
+    stated: &StatedOpening,
+    rooms: [u32; 2],
+    max_depth: f64,
+    label: &mut [u32],
+) -> Doorway {
+    let segment = stated.segment;
+    let line = Carrier::of(&segment);
+    let look = Look { input, line, from: line.along(segment.a), to: line.along(segment.b), rooms };
+    let found = stated.depth.map(|d| [d / 2.0, d / 2.0]);
+    let [below, above] = found.unwrap_or_else(|| look.depth(max_depth));
+    look.clear(below, above, label);
+    let rooms = rooms.map(|l| l as usize - 1);
+    Doorway { segment, depth: below + above, rooms, kind: Some(stated.kind) }
 }
 
 /// The connected pieces of the boundary between each two rooms, as the corners they run through.

@@ -27,7 +27,7 @@ mod walls;
 
 use super::openings::Gap;
 use super::raster::Mask;
-use planform_sdk::{Polygon, Segment};
+use planform_sdk::{Polygon, Segment, StatedOpening};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -91,6 +91,8 @@ pub struct Labelled<'a> {
     pub free: &'a Mask,
     /// Occupied cells; what is neither is unknown.
     pub obstacles: &'a Mask,
+    /// Openings that the document states, metres from the grid's corner.
+    pub stated: &'a [StatedOpening],
 }
 
 /// One room.

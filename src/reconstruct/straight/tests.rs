@@ -52,6 +52,7 @@ impl Raster {
             rooms: self.rooms,
             free: &self.free,
             obstacles: &self.obstacles,
+            stated: &[],
         };
         plan(&input, params)
     }

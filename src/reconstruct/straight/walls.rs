@@ -70,7 +70,8 @@ pub fn opening(doorway: &Doorway, walls: &[StraightWall], params: &Straight) -> 
         None => doorway.segment,
     };
     let width = segment.length();
-    let kind = if width <= params.max_door { OpeningKind::Door } else { OpeningKind::Passage };
+    let usual = if width <= params.max_door { OpeningKind::Door } else { OpeningKind::Passage };
+    let kind = doorway.kind.unwrap_or(usual);
     (width >= params.min_opening).then_some(Gap { kind, segment, rooms: doorway.rooms })
 }
 

@@ -1,7 +1,8 @@
 //! Scan matching: from laser scans with the odometry of wheels to the poses at which the scans fit each other.
 //!
 //! 1. Each scan that is some way from the last one is laid over those shortly before it, `track`: by correlative search
-//!    around where odometry expects it, then by least squares from points to lines.
+//!    around where odometry expects it, then by least squares from points to lines; without odometry also farther
+//!    ahead, `unmeasured`.
 //! 2. Stretches of the path are laid over older ones nearby, `closure`; what fits becomes a step of a graph of poses,
 //!    whose error is then spread over all of it, `graph`.
 //! 3. The scans in between follow those that were matched.
@@ -20,6 +21,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod track;
+mod unmeasured;
 
 use crate::log::{Pose, Scan};
 use track::Track;

@@ -7,6 +7,7 @@ use super::graph::{Edge, Graph};
 use super::odometry;
 use super::submap::Submap;
 use super::sweep::Sweep;
+use super::unmeasured;
 use crate::log::{Pose, Scan};
 use nalgebra::{Matrix3, Vector3};
 
@@ -49,6 +50,8 @@ pub struct Key {
 struct Doubt {
     shift: f64,
     turn: f64,
+    /// Whether there is odometry.
+    measured: bool,
 }
 
 impl Track {
@@ -122,7 +125,12 @@ impl Track {
             found = wide.filter(|w| found.is_none_or(|f| w.1 > f.1 + BETTER)).or(found);
         }
         let Some((start, _)) = found.filter(|(_, score)| *score >= POOR) else { return (expected, prior) };
-        let fit = align(&submap, sweep, start, expected, &prior);
+        let fit = if doubt.measured {
+            align(&submap, sweep, start, expected, &prior)
+        } else {
+            let last = self.graph.poses.last().copied().unwrap_or(expected);
+            unmeasured::likeliest(&submap, sweep, start, &self.graph.edges, last, &prior)
+        };
         (fit.pose, fit.information)
     }
 
@@ -136,12 +144,13 @@ impl Track {
 
 impl Doubt {
     /// Of a step that nothing but the scans can tell.
-    const UNMEASURED: Self = Self { shift: 0.8, turn: 0.4 };
+    const UNMEASURED: Self = Self { shift: 0.8, turn: 0.4, measured: false };
 
     /// Of a step by odometry.
     fn of(step: Pose) -> Self {
         let (way, turn) = (step.x.hypot(step.y), Pose::IDENTITY.turn(step).abs());
-        Self { shift: 0.05 + 0.1 * way + 0.05 * turn, turn: 0.03 + 0.02 * way + 0.25 * turn }
+        let shift = 0.05 + 0.1 * way + 0.05 * turn;
+        Self { shift, turn: 0.03 + 0.02 * way + 0.25 * turn, measured: true }
     }
 
     fn information(self) -> Matrix3<f64> {

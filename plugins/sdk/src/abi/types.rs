@@ -6,7 +6,7 @@ use std::ffi::{c_char, c_void};
 /// at the end of some structs.
 pub const PLANFORM_ABI_MAJOR: u32 = 1;
 /// See PLANFORM_ABI_MAJOR.
-pub const PLANFORM_ABI_MINOR: u32 = 2;
+pub const PLANFORM_ABI_MINOR: u32 = 3;
 
 /// How a call ended: PLANFORM_OK or what went wrong.
 pub type PlanformStatus = i32;
@@ -30,6 +30,11 @@ pub const PLANFORM_THREAD_SAFE: u64 = 1;
 
 /// The flag of a sink that makes use of the stages' pictures. Since version 1.1.
 pub const PLANFORM_WANTS_PICTURES: u64 = 1;
+
+/// What a PlanformOpening is: of a door's width. Since version 1.3.
+pub const PLANFORM_DOOR: u32 = 0;
+/// What a PlanformOpening is: wider than a door. Since version 1.3.
+pub const PLANFORM_PASSAGE: u32 = 1;
 
 /// What PlanformProblem.position counts: nothing, the problem has no place.
 pub const PLANFORM_NOWHERE: u32 = 0;
@@ -326,6 +331,24 @@ pub struct PlanformScale {
     pub confidence: f64,
 }
 
+/// An opening between two rooms that a document states, metres in the map frame. Since version 1.3.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct PlanformOpening {
+    /// One end, in the middle of the wall.
+    pub from_x: f64,
+    /// The same, up.
+    pub from_y: f64,
+    /// The other end.
+    pub to_x: f64,
+    /// The same, up.
+    pub to_y: f64,
+    /// Thickness of the wall, metres; 0 where the rooms' floors meet, less where it is not stated.
+    pub depth: f64,
+    /// PLANFORM_DOOR or PLANFORM_PASSAGE.
+    pub kind: u32,
+}
+
 /// A stage of an adapter's work that is done, for who looks on. Since version 1.1.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -382,6 +405,15 @@ pub struct PlanformSceneSink {
     /// `size` says so.
     pub stage:
         Option<unsafe extern "C" fn(context: *mut c_void, stage: *const PlanformStage) -> PlanformStatus>,
+    /// Takes all openings between rooms, if the document states them; to be called once, or never. With a count of 0
+    /// there are none. Since version 1.3: only there if `size` says so.
+    pub openings: Option<
+        unsafe extern "C" fn(
+            context: *mut c_void,
+            openings: *const PlanformOpening,
+            count: usize,
+        ) -> PlanformStatus,
+    >,
 }
 
 /// What an exporter writes. Valid until the call returns.

@@ -264,6 +264,18 @@ reads! {
         let leaf = PlanformDoorLeaf { open_y: f64::INFINITY, ..LEAF };
         ((*sink).symbol)((*sink).context, &door(&leaf, 1))
     }
+    absurd_openings |_source, sink| {
+        let opening = PlanformOpening { from_x: 0.0, from_y: 0.0, to_x: 1.0, to_y: 1.0, depth: 0.1, kind: 7 };
+        ((*sink).openings.unwrap())((*sink).context, &opening, 1)
+    }
+    missing_openings |_source, sink| {
+        ((*sink).openings.unwrap())((*sink).context, ptr::null(), 1)
+    }
+    openings_twice |_source, sink| {
+        let status = ((*sink).openings.unwrap())((*sink).context, ptr::null(), 0);
+        assert_eq!(status, PLANFORM_OK);
+        ((*sink).openings.unwrap())((*sink).context, ptr::null(), 0)
+    }
     absurd_scale |_source, sink| {
         let (source, size) = (PlanformString::NULL, size_of::<PlanformScale>());
         let scale = PlanformScale { size, metres_per_pixel: f64::NAN, source, confidence: 1.0 };
@@ -312,6 +324,9 @@ fn calls_that_break_the_rules_are_refused() {
         (no_leaves, ErrorKind::Plugin, "the leaves of a symbol are missing"),
         (many_leaves, ErrorKind::Plugin, "more than 100 leaves"),
         (endless_leaf, ErrorKind::Plugin, "a leaf of a symbol has a number that is not finite"),
+        (absurd_openings, ErrorKind::Plugin, "an opening is of the kind 7, which there is not"),
+        (missing_openings, ErrorKind::Plugin, "its openings are missing (a null pointer)"),
+        (openings_twice, ErrorKind::Plugin, "it hands over its openings a second time"),
         (absurd_scale, ErrorKind::Plugin, "the scale has a number that is not finite"),
         (short_picture, ErrorKind::Plugin, "2 x 1 pixels has 5 bytes"),
         (sibling_gone, ErrorKind::Io, "no-such-file"),

@@ -2,8 +2,8 @@
 
 use planform_sdk::{
     Annotations, Cell, DoorLeaf, Frontier, FrontierKind, GeoAnchor, Grid, Layout, Opening, OpeningKind,
-    Point, Polygon, Pose, Provenance, RepresentativeLine, Room, RoomState, Scale, Segment, Symbol, Text,
-    Wall,
+    Point, Polygon, Pose, Provenance, RepresentativeLine, Room, RoomState, Scale, Segment, StatedOpening,
+    Symbol, Text, Wall,
 };
 use proptest::collection::vec;
 use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
@@ -88,15 +88,26 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn stated()(
+        kind in prop_oneof![Just(OpeningKind::Door), Just(OpeningKind::Passage)],
+        segment in segment(),
+        depth in option::of(POSITIVE),
+    ) -> StatedOpening {
+        StatedOpening { kind, segment, depth }
+    }
+}
+
+prop_compose! {
     pub fn annotations()(
         texts in vec(text(), 0..4),
         symbols in vec(symbol(), 0..4),
+        openings in option::of(vec(stated(), 0..4)),
         anchor in option::of(anchor()),
         scale in option::of(scale()),
         provenance in provenance(),
         warnings in vec(string(), 0..3),
     ) -> Annotations {
-        Annotations { texts, symbols, anchor, scale, provenance, warnings }
+        Annotations { texts, symbols, openings, anchor, scale, provenance, warnings }
     }
 }
 
@@ -151,7 +162,7 @@ prop_compose! {
         method in string(),
     ) -> Layout {
         let lines = lines.into_iter().map(|(segment, support)| RepresentativeLine { segment, support });
-        let Annotations { texts, symbols, anchor, scale, provenance, warnings: _ } = notes;
+        let Annotations { texts, symbols, anchor, scale, provenance, openings: _, warnings: _ } = notes;
         Layout {
             rooms, walls, openings, frontiers, lines: lines.collect(), texts, symbols, anchor, scale, provenance,
             method,

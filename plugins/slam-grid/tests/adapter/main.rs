@@ -5,5 +5,6 @@ mod bad_pictures;
 mod bad_yaml;
 mod bare;
 mod never_panics;
+mod stated;
 mod support;
 mod yaml;

@@ -24,6 +24,9 @@ fn sound_file() -> impl Strategy<Value = Vec<u8>> {
     let mut files: Vec<_> = formats.iter().map(|&f| encode(&picture(10, &greys), f)).collect();
     files.push(b"P2\n3 2\n255\n0 255 51\n204 102 153\n".to_vec());
     files.push(format!("{YAML}mode: scale\n").into_bytes());
+    files.push(
+        format!("{YAML}planform: {{openings: [{{kind: door, from: [-1, 2], to: [0, 2]}}]}}\n").into_bytes(),
+    );
     proptest::sample::select(files)
 }
 

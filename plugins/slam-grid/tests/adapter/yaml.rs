@@ -28,7 +28,7 @@ fn shapes_of_the_file_do_not_matter() {
         YAML.trim_end().to_owned(),
         format!("# a map\n{}", YAML.replace("0.5]", "0.5]   # pose of the corner")),
         YAML.replace("map.pgm", "\"map.pgm\"").replace("0.05", "'0.05'"),
-        format!("{YAML}frame_id: map\nextra: {{a: [1, 2]}}\n"),
+        format!("{YAML}frame_id: map\nextra: {{a: [1, 2, .nan]}}\n"),
         format!("---\n{YAML}...\n"),
         YAML.replace("[-1.5, 2.0, 0.5]", "\n  - -1.5\n  - 2\n  - 5e-1"),
         YAML.replace("map.pgm", "./map.pgm"),

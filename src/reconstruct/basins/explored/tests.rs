@@ -23,7 +23,14 @@ fn explored(rooms: usize, seen: impl Fn(f64, f64) -> Seen) -> Knowledge {
     let label: Vec<u32> = cells.iter().map(|s| if let Seen::Room(l) = s { *l } else { 0 }).collect();
     let free = Mask::new(SIZE.0, SIZE.1, label.iter().map(|&l| l > 0).collect());
     let obstacles = free.with_bits(cells.iter().map(|&s| s == Seen::Wall).collect());
-    let input = Labelled { resolution: RESOLUTION, label: &label, rooms, free: &free, obstacles: &obstacles };
+    let input = Labelled {
+        resolution: RESOLUTION,
+        label: &label,
+        rooms,
+        free: &free,
+        obstacles: &obstacles,
+        stated: &[],
+    };
     explore(&input, &[0.0, FRAC_PI_2], &Straight::default(), &Explored::default())
 }
 

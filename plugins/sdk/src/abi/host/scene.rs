@@ -5,13 +5,13 @@ use super::fault::{Fault, Trial, of_plugin};
 use crate::abi::guard::guard;
 use crate::abi::table::{Table, look};
 use crate::abi::{
-    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES, PlanformAnchor, PlanformDoorLeaf,
-    PlanformGrid, PlanformProblem, PlanformScale, PlanformSceneSink, PlanformStage, PlanformStatus,
-    PlanformString, PlanformSymbol, PlanformText,
+    PLANFORM_DOOR, PLANFORM_OK, PLANFORM_PASSAGE, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES,
+    PlanformAnchor, PlanformDoorLeaf, PlanformGrid, PlanformOpening, PlanformProblem, PlanformScale,
+    PlanformSceneSink, PlanformStage, PlanformStatus, PlanformString, PlanformSymbol, PlanformText,
 };
 use crate::{
-    Annotations, Cell, DoorLeaf, ErrorKind, GeoAnchor, Grid, Picture, PluginError, Point, Pose, Provenance,
-    ReadWatcher, Scale, Scene, Symbol, Text,
+    Annotations, Cell, DoorLeaf, ErrorKind, GeoAnchor, Grid, OpeningKind, Picture, PluginError, Point, Pose,
+    Provenance, ReadWatcher, Scale, Scene, Segment, StatedOpening, Symbol, Text,
 };
 use std::ffi::c_void;
 use std::slice;
@@ -76,6 +76,7 @@ impl<'a> Receiver<'a> {
             scale: Some(scale),
             flags: if self.wants_pictures { PLANFORM_WANTS_PICTURES } else { 0 },
             stage: Some(stage),
+            openings: Some(openings),
         }
     }
 
@@ -290,6 +291,59 @@ unsafe extern "C" fn scale(context: *mut c_void, scale: *const PlanformScale) ->
             Ok(())
         })
     }
+}
+
+unsafe extern "C" fn openings(
+    context: *mut c_void,
+    openings: *const PlanformOpening,
+    count: usize,
+) -> PlanformStatus {
+    // SAFETY: the plugin hands back the context that it was given, and openings of its own.
+    unsafe {
+        take(context, |taken| {
+            if taken.annotations.openings.is_some() {
+                return Err(of_plugin("it hands over its openings a second time"));
+            }
+            taken.annotations.openings = Some(openings_of(openings, count)?);
+            Ok(())
+        })
+    }
+}
+
+/// The openings between rooms.
+///
+/// # Safety
+///
+/// `openings` is NULL or points to `count` openings that stay as they are during this call.
+unsafe fn openings_of(
+    openings: *const PlanformOpening,
+    count: usize,
+) -> Result<Vec<StatedOpening>, PluginError> {
+    if count > MAX_ANNOTATIONS {
+        let message = format!("has more than {MAX_ANNOTATIONS} openings");
+        return Err(PluginError::new(ErrorKind::Limit, message));
+    }
+    if count == 0 {
+        return Ok(vec![]);
+    }
+    if openings.is_null() {
+        return Err(of_plugin("its openings are missing (a null pointer)"));
+    }
+    // SAFETY: not NULL, and as many as the caller promises.
+    let openings = unsafe { slice::from_raw_parts(openings, count) };
+    openings.iter().map(opening_of).collect()
+}
+
+fn opening_of(opening: &PlanformOpening) -> Result<StatedOpening, PluginError> {
+    let PlanformOpening { from_x, from_y, to_x, to_y, depth, kind } = *opening;
+    finite([from_x, from_y, to_x, to_y, depth], "an opening")?;
+    let kind = match kind {
+        PLANFORM_DOOR => OpeningKind::Door,
+        PLANFORM_PASSAGE => OpeningKind::Passage,
+        other => return Err(of_plugin(&format!("an opening is of the kind {other}, which there is not"))),
+    };
+    let segment = Segment::new(Point::new(from_x, from_y), Point::new(to_x, to_y));
+    Ok(StatedOpening { kind, segment, depth: Some(depth).filter(|d| *d >= 0.0) })
 }
 
 unsafe extern "C" fn stage(context: *mut c_void, stage: *const PlanformStage) -> PlanformStatus {

@@ -5,12 +5,14 @@ use super::{info, problem, received};
 use crate::abi::guard::guard;
 use crate::abi::table::look;
 use crate::abi::{
-    PLANFORM_OK, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES, PlanformAdapter, PlanformAnchor,
-    PlanformDoorLeaf, PlanformGrid, PlanformJson, PlanformProbe, PlanformScale, PlanformSceneSink,
-    PlanformSource, PlanformStage, PlanformStatus, PlanformString, PlanformSymbol, PlanformText,
+    PLANFORM_DOOR, PLANFORM_OK, PLANFORM_PASSAGE, PLANFORM_PLUGIN_FAULT, PLANFORM_WANTS_PICTURES,
+    PlanformAdapter, PlanformAnchor, PlanformDoorLeaf, PlanformGrid, PlanformJson, PlanformOpening,
+    PlanformProbe, PlanformScale, PlanformSceneSink, PlanformSource, PlanformStage, PlanformStatus,
+    PlanformString, PlanformSymbol, PlanformText,
 };
 use crate::{
-    Confidence, DoorLeaf, GeoAnchor, InputAdapter, Picture, Probe, ReadWatcher, Scale, Scene, Symbol, Text,
+    Confidence, DoorLeaf, GeoAnchor, InputAdapter, OpeningKind, Picture, Probe, ReadWatcher, Scale, Scene,
+    StatedOpening, Symbol, Text,
 };
 
 /// The table, never freed.
@@ -144,6 +146,7 @@ unsafe fn hand_over(scene: &Scene, sink: &PlanformSceneSink) -> PlanformStatus {
         accepted((sink.grid)(context, &PlanformGrid::of(&scene.grid)))
             .and_then(|()| all(&scene.texts, |t| (sink.text)(context, &self::text(t))))
             .and_then(|()| all(&scene.symbols, |s| hand_over_symbol(s, sink)))
+            .and_then(|()| all(&scene.openings, |o| hand_over_openings(o, sink)))
             .and_then(|()| all(&scene.anchor, |a| (sink.anchor)(context, &anchor(a))))
             .and_then(|()| all(&scene.scale, |s| hand_over_scale(s, sink)))
             .and_then(|()| all(&scene.warnings, |w| (sink.warning)(context, text(w))))
@@ -228,6 +231,32 @@ unsafe fn hand_over_scale(scale: &Scale, sink: &PlanformSceneSink) -> PlanformSt
     };
     // SAFETY: the callback is called with its own context, and what it is handed lives until it returns.
     unsafe { take(sink.context, &scale) }
+}
+
+/// Hands over the openings, which a host of before version 1.3 has no room for.
+///
+/// # Safety
+///
+/// As for [`hand_over`].
+unsafe fn hand_over_openings(openings: &[StatedOpening], sink: &PlanformSceneSink) -> PlanformStatus {
+    let Some(take) = sink.openings else { return PLANFORM_OK };
+    let openings: Vec<_> = openings.iter().map(opening).collect();
+    // SAFETY: the callback is called with its own context, and what it is handed lives until it returns.
+    unsafe { take(sink.context, openings.as_ptr(), openings.len()) }
+}
+
+fn opening(StatedOpening { kind, segment, depth }: &StatedOpening) -> PlanformOpening {
+    PlanformOpening {
+        from_x: segment.a.x,
+        from_y: segment.a.y,
+        to_x: segment.b.x,
+        to_y: segment.b.y,
+        depth: depth.unwrap_or(-1.0),
+        kind: match kind {
+            OpeningKind::Door => PLANFORM_DOOR,
+            OpeningKind::Passage => PLANFORM_PASSAGE,
+        },
+    }
 }
 
 fn anchor(anchor: &GeoAnchor) -> PlanformAnchor {
