@@ -35,6 +35,8 @@ use words::Words;
 
 /// Layers named for walls count if they hold at least as many lines.
 const FEWEST_WALLS: usize = 4;
+/// A closed line among walls that is no thicker than this, metres, is the outline of a wall; others are of rooms.
+const THICKEST_WALL: f64 = 1.0;
 /// The most layers that a message lists.
 const LISTED: usize = 20;
 
@@ -64,8 +66,12 @@ fn read(bytes: &[u8], wanted: Option<&[String]>) -> Result<Page, PluginError> {
     }
     let (unit, warning) = unit(drawing.units, extent, &placed);
     let frame = Frame::of(extent, unit);
+    let is_outline =
+        |shape: &Shape| walls_only && shape.thickness().is_some_and(|t| t * unit <= THICKEST_WALL);
+    let filled = |shape: &Shape| Shape { filled: shape.filled || is_outline(shape), ..shape.clone() };
+    let drawn: Vec<Shape> = lines.into_iter().map(filled).collect();
     Ok(Page {
-        picture: raster::draw(lines.into_iter(), &frame)?,
+        picture: raster::draw(drawn.iter(), &frame)?,
         dpi: None,
         metres_per_pixel: Some(unit / frame.scale),
         origin: frame.low.map(|v| v * unit),

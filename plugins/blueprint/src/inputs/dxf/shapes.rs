@@ -30,6 +30,20 @@ impl Shape {
         Self { points, width: 0.0, filled }
     }
 
+    /// How thick what a closed line encloses is on the mean, as a bar is: its area over half its outline.
+    pub fn thickness(&self) -> Option<f64> {
+        let closed = self.points.len() > 3 && self.points.first() == self.points.last();
+        let [x0, y0] = *self.points.first()?;
+        // From the first point: far from the origin products lose their digits.
+        let cross = |a: Point, b: Point| (a[0] - x0) * (b[1] - y0) - (a[1] - y0) * (b[0] - x0);
+        let (mut double, mut outline) = (0.0, 0.0);
+        for side in self.points.windows(2) {
+            double += cross(side[0], side[1]);
+            outline += distance(side[0], side[1]);
+        }
+        (closed && outline > 0.0).then(|| f64::abs(double) / outline)
+    }
+
     /// The shape seen through a map.
     pub fn through(mut self, map: Map) -> Self {
         self.points.iter_mut().for_each(|p| *p = map.at(*p));
