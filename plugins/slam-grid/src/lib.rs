@@ -70,7 +70,7 @@ mod tests {
             adapter().siblings(&Source { path: name.into(), bytes: text.into(), byte_limit: 1 << 20 })
         };
         assert_eq!(siblings("m.yaml", "image: a b.pgm\nresolution: 0.05\n"), ["a b.pgm"]);
-        assert_eq!(siblings("m.yaml", "image: a.pgm\nresolution: none\norigin: 7\n"), ["a.pgm"]);
+        assert_eq!(siblings("m.yaml", "image: a.pgm\nresolution: none\n"), ["a.pgm"]);
         for (name, text) in [
             ("m.yaml", "resolution: 0.05\n"),
             ("m.yaml", "image: ''\n"),
