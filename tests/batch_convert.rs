@@ -1,4 +1,6 @@
 //! `planform batch`: many documents by one command, each for itself.
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
 
 mod batch_support;
 mod cli_support;

@@ -1,5 +1,7 @@
 //! The report of a batch in a real browser: what it shows, and that it can be sorted and filtered.
 #![cfg(unix)]
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
 
 mod batch_support;
 mod cli_support;

@@ -1,6 +1,8 @@
 //! A batch that is ended in any way is carried on: nothing is lost, nothing done twice, and the outputs are those of a run
 //! that nobody disturbed.
 #![cfg(unix)]
+// Clippy knows the tests themselves, but not what they call.
+#![allow(clippy::unwrap_used)]
 
 mod batch_support;
 mod cli_support;

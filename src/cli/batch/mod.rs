@@ -76,6 +76,14 @@ pub fn run(args: &BatchArgs) -> Result<(), Failure> {
     batch.end(&documents, &journal, halt)
 }
 
+/// What there is when documents have come.
+struct Arrivals {
+    /// All documents.
+    all: Vec<Listed>,
+    /// Those that are new or changed.
+    fresh: Vec<Listed>,
+}
+
 /// All that is said of a batch before it begins.
 struct Batch<'a> {
     args: &'a BatchArgs,
@@ -167,7 +175,7 @@ impl<'a> Batch<'a> {
             self.report(&documents, journal).write(&self.folder)?;
             self.say("waiting for documents; Ctrl-C ends it");
             match self.wait(&mut handled, interrupt)? {
-                Some((all, new)) => (documents, fresh) = (all, new),
+                Some(arrivals) => Arrivals { all: documents, fresh } = arrivals,
                 None => return Ok((documents, Some(Halt::Interrupted))),
             }
         }
@@ -186,13 +194,8 @@ impl<'a> Batch<'a> {
         Pass { journal, places, staging, bounds, retry_failed, teller, interrupt }
     }
 
-    /// Waits for documents that were not handled as they are now: all that there are, and these. None if the user wants
-    /// to stop.
-    fn wait(
-        &self,
-        handled: &mut Handled,
-        interrupt: &Interrupt,
-    ) -> Result<Option<(Vec<Listed>, Vec<Listed>)>, Failure> {
+    /// Waits for documents that were not handled as they are now. None if the user wants to stop.
+    fn wait(&self, handled: &mut Handled, interrupt: &Interrupt) -> Result<Option<Arrivals>, Failure> {
         loop {
             watch::wait(interrupt);
             if interrupt.is_set() {
@@ -201,7 +204,7 @@ impl<'a> Batch<'a> {
             let documents = self.documents()?;
             let fresh = handled.fresh(&documents);
             if !fresh.is_empty() {
-                return Ok(Some((documents, fresh)));
+                return Ok(Some(Arrivals { all: documents, fresh }));
             }
         }
     }

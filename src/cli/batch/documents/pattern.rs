@@ -32,8 +32,8 @@ pub fn read(pattern: &Path, several: bool, output: &Path) -> Result<Vec<Listed>,
 }
 
 fn last_name(base: &Path) -> PathBuf {
-    let names = base.components().filter(|c| matches!(c, Component::Normal(_)));
-    names.last().map(|c| PathBuf::from(c.as_os_str())).unwrap_or_default()
+    let mut names = base.components().filter(|c| matches!(c, Component::Normal(_)));
+    names.next_back().map(|c| PathBuf::from(c.as_os_str())).unwrap_or_default()
 }
 
 fn matcher(pattern: &Path) -> Option<GlobMatcher> {
