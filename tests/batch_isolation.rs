@@ -30,13 +30,13 @@ fn workshop(misdeeds: &[&str]) -> Workshop {
 #[test]
 fn plugins_that_misbehave_cost_their_documents_alone() {
     let w = workshop(&["segfault", "loop", "exhaust", "exit"]);
-    let args = "batch in -o out --to svg --plugin-dir p --plugin-timeout 4 --plugin-memory 300";
+    let args = "batch in -o out --to svg --plugin-dir p --plugin-timeout 10 --plugin-memory 300";
     let output = w.run(args);
     refused(&output, 1, &["4 of 8 files failed"], args);
     let err = text(&output.stderr);
     for sentence in [
         "failed: in/m.segfault: plugin `segfault` failed: it crashed (segmentation fault)",
-        "failed: in/m.loop: plugin `loop` failed: it took longer than the 4 s that it may",
+        "failed: in/m.loop: plugin `loop` failed: it took longer than the 10 s that it may",
         "failed: in/m.exhaust: plugin `exhaust` failed: it took more than the 300 MiB of memory that it may",
         "failed: in/m.exit: plugin `exit` failed: it ended its process with the status 3",
     ] {
@@ -48,7 +48,7 @@ fn plugins_that_misbehave_cost_their_documents_alone() {
 #[test]
 fn plugins_that_are_trusted_cost_no_more() {
     let w = workshop(&["segfault", "sleep", "exhaust"]);
-    let args = "batch in -o out --to svg --plugin-dir p --trust-plugins --timeout 4 --document-memory 300";
+    let args = "batch in -o out --to svg --plugin-dir p --trust-plugins --timeout 8 --document-memory 300";
     let start = Instant::now();
     let output = w.run(args);
     refused(&output, 1, &["3 of 7 files failed"], args);
@@ -57,13 +57,13 @@ fn plugins_that_are_trusted_cost_no_more() {
         "trying again: in/m.segfault: its process failed",
         "failed: in/m.segfault: its process failed: it crashed (segmentation fault)",
         "trying again: in/m.sleep: took longer",
-        "failed: in/m.sleep: took longer than the 4 s that it may; `--timeout SECONDS` allows more",
-        "failed: in/m.exhaust: its process failed: it crashed (segmentation fault)",
+        "failed: in/m.sleep: took longer than the 8 s that it may; `--timeout SECONDS` allows more",
+        // Which of the two it is told by is a matter of luck.
+        "failed: in/m.exhaust: ",
     ] {
-        assert!(err.contains(sentence) || sentence.contains("m.exhaust"), "`{sentence}` is not in\n{err}");
+        assert!(err.contains(sentence), "`{sentence}` is not in\n{err}");
     }
-    assert!(err.contains("failed: in/m.exhaust: "), "{err}");
-    assert!(start.elapsed() < Duration::from_secs(30));
+    assert!(start.elapsed() < Duration::from_secs(60));
     assert_eq!(w.tree("out").len(), 2);
     let rows = w.report("out/planform-batch");
     assert_eq!((&rows["m.sleep"]["attempts"], &rows["m.sleep"]["cause"]), (&2.into(), &"time".into()));
@@ -194,20 +194,16 @@ fn an_output_folder_that_goes_away_stops_the_batch() {
 fn a_document_that_changes_meanwhile_is_told() {
     let w = Workshop::empty();
     w.put("in/large.pgm", pgm(2000, 1200, |x, y| two_rooms(x / 10, y / 10)));
-    let bytes = w.read("in/large.pgm");
+    let file = fs::File::options().write(true).open(w.path("in/large.pgm")).unwrap();
     let args = "batch in -o out --to svg --resolution 0.005 --retries 0";
     let mut child = w.start(args);
     while child.try_wait().unwrap().is_none() {
-        fs::write(w.path("in/large.pgm"), &bytes).unwrap();
-        sleep(Duration::from_millis(20));
+        file.set_modified(std::time::SystemTime::now()).unwrap();
+        sleep(Duration::from_millis(5));
     }
     let err = std::io::read_to_string(child.stderr.take().unwrap()).unwrap();
-    assert!(
-        err.contains(
-            "failed: in/large.pgm: was changed while it was converted; `--resume` converts it again"
-        ) || err.contains("in/large.pgm: "),
-        "{err}"
-    );
+    let words = "failed: in/large.pgm: was changed while it was converted; `--resume` converts it again when it is whole";
+    assert!(err.contains(words), "{err}");
     assert!(w.tree("out").is_empty(), "{err}");
     w.does(&format!("{args} --resume"));
     assert_eq!(w.tree("out").len(), 1);

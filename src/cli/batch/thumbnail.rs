@@ -7,8 +7,8 @@ use image::{ExtendedColorType, GrayImage, ImageBuffer, ImageEncoder, Rgb, imageo
 use planform_sdk::{Grid, Layout, Picture, Point, Polygon, bounds};
 use tiny_skia::{Color, FillRule, LineCap, Paint, PathBuilder, Pixmap, Stroke, Transform};
 
-/// The longest side, pixels.
-const SIDE: u32 = 160;
+/// The longest side, pixels. A report may hold tens of thousands of pictures.
+const SIDE: u32 = 128;
 /// Around a layout, pixels.
 const MARGIN: f64 = 4.0;
 /// Greys of what is not known of a grid.
@@ -62,7 +62,9 @@ pub fn of_layout(layout: &Layout) -> Option<String> {
     for opening in &layout.openings {
         draw(&mut picture, [place(opening.segment.a), place(opening.segment.b)], [230, 140, 20], 2.0);
     }
-    png(picture.width(), picture.height(), picture.data(), ExtendedColorType::Rgba8)
+    // It is opaque throughout.
+    let rgb: Vec<u8> = picture.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
+    png(picture.width(), picture.height(), &rgb, ExtendedColorType::Rgb8)
 }
 
 fn fill(picture: &mut Pixmap, polygon: &Polygon, place: &dyn Fn(Point) -> (f64, f64)) {
@@ -119,8 +121,8 @@ mod tests {
         cells[..400 * 50].fill(Cell::OCCUPIED);
         let grid = Grid::new(400, 100, 0.05, Pose::default(), cells).unwrap();
         let small = picture(of_grid(&grid));
-        assert_eq!(small.dimensions(), (160, 40));
-        assert_eq!((small.get_pixel(80, 5).0[0], small.get_pixel(80, 35).0[0]), (255, 0));
+        assert_eq!(small.dimensions(), (128, 32));
+        assert_eq!((small.get_pixel(64, 4).0[0], small.get_pixel(64, 28).0[0]), (255, 0));
     }
 
     #[test]
@@ -136,8 +138,8 @@ mod tests {
             inner,
         };
         let small = picture(of_layout(&Layout { rooms: vec![room], ..Layout::default() }));
-        assert_eq!(small.dimensions(), (160, 84));
-        assert_eq!(small.get_pixel(80, 42).0, [205, 222, 240, 255]);
+        assert_eq!(small.dimensions(), (128, 68));
+        assert_eq!(small.get_pixel(64, 34).0, [205, 222, 240, 255]);
         assert_eq!(small.get_pixel(1, 1).0, [255; 4]);
         assert_eq!(of_layout(&Layout::default()), None);
     }
