@@ -127,9 +127,15 @@ impl Journal {
 
     fn settings(&self) -> rusqlite::Result<()> {
         self.db.busy_timeout(Duration::from_secs(10))?;
-        self.db.pragma_update(None, "journal_mode", "WAL")?;
-        // Every step is on the disk before the next one: a power cut costs nothing that was noted.
-        self.db.pragma_update(None, "synchronous", "FULL")
+        self.db.pragma_update(None, "journal_mode", "WAL")
+    }
+
+    /// Whether what is noted next is to be on the disk before the work goes on. A disk needs time for that, and few
+    /// documents take as long as it. What is not on the disk is there all the same if the program is killed, but not after a
+    /// power cut.
+    fn wait_for_disk(&self, waits: bool) -> Result<(), Failure> {
+        let value = if waits { "FULL" } else { "NORMAL" };
+        self.db.pragma_update(None, "synchronous", value).map_err(|e| self.told(&e))
     }
 
     fn versions(&self) -> rusqlite::Result<(i32, i32)> {
@@ -170,6 +176,8 @@ impl Journal {
     /// Notes what is in the places of these files, and what is about to be renamed to them.
     pub fn intend(&mut self, name: &str, files: &[Own]) -> Result<(), Failure> {
         let sql = "INSERT OR REPLACE INTO files (path, document, digest, intended) VALUES (?1, ?2, ?3, ?4)";
+        // A file in its place of which the journal knows nothing would be taken for somebody else's.
+        self.wait_for_disk(true)?;
         let noted = self.db.transaction().and_then(|all| {
             for Own { path, digest, intended } in files {
                 let [digest, intended] = [digest, intended].map(|d| d.as_ref().map(Digest::as_str));
@@ -188,6 +196,8 @@ impl Journal {
         let stamps = seen.as_ref().map(|s| serde_json::json!(s.stamps).to_string());
         let digest = seen.as_ref().map(|s| s.digest.as_str());
         let text = serde_json::json!(record).to_string();
+        // If this is lost, the document is done once more.
+        self.wait_for_disk(false)?;
         let noted = self.db.transaction().and_then(|all| {
             let values = params![
                 record.name,
