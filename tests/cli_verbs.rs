@@ -38,6 +38,7 @@ fn help_that_cannot_be_printed_is_a_failure() {
 fn every_verb_has_help_with_an_example() {
     for verb in [
         "convert",
+        "batch",
         "inspect",
         "evaluate",
         "plugins",
@@ -114,7 +115,7 @@ fn completions_for_every_shell() {
 fn the_manual_page_holds_every_verb() {
     let (page, _) = Workshop::empty().does("man");
     assert!(page.starts_with(".ie") || page.starts_with(".TH"), "{page}");
-    for verb in ["CONVERT", "INSPECT", "PLUGINS", "PARAMS", "COMPLETIONS", "MAN"] {
+    for verb in ["CONVERT", "BATCH", "INSPECT", "PLUGINS", "PARAMS", "COMPLETIONS", "MAN"] {
         assert!(page.contains(&format!("PLANFORM {verb}")), "{verb}");
     }
 }

@@ -1,16 +1,17 @@
 //! `planform convert`.
 
 use super::Failure;
+use super::caps::CapArgs;
 use super::failure::say;
 use super::input::{InputArgs, Opened};
-use super::output::{self, Content, Target};
+use super::output::{self, Target};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::params::MethodArgs;
 use super::progress::{Progress, Voice};
 use super::watch::{DebugFolder, ReadWatch, Watch};
 use crate::reconstruct::{Params, reconstruct};
 use clap::Args;
-use planform_sdk::{Document, Layout, OpeningKind, Options, Output, RoomState, Scene};
+use planform_sdk::{Layout, OpeningKind, Options, RoomState, Scene};
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -56,6 +57,8 @@ pub struct ConvertArgs {
     /// Tell nothing but errors
     #[arg(short, long)]
     quiet: bool,
+    #[command(flatten)]
+    caps: CapArgs,
     // The heading that it begins would hold whatever comes after it.
     #[command(flatten)]
     outside: OutsideArgs,
@@ -74,12 +77,13 @@ impl ConvertArgs {
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     let registry = args.outside.registry(args.verbose)?;
     let targets = output::plan(&args.output, args.to.as_deref(), &registry)?;
-    let params = args.method.params()?;
+    let mut params = args.method.params()?;
+    args.caps.limit(&mut params)?;
     targets.iter().try_for_each(|t| t.check(&args.input.input, args.force))?;
     let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
-    let opened = Opened::open(&args.input, &registry, &exporters)?;
+    let opened = Opened::open(&args.input, args.caps.caps(), &registry, &exporters)?;
     tell_refusals(&registry, args.voice());
-    let options = opened.options(&args.input.settings(), &exporters)?;
+    let options = opened.options(&args.input.reading.settings(), &exporters)?;
     let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force));
     let mut folder = folder.transpose()?;
     let (adapter_options, exporter_options) = options.split_at(1);
@@ -145,7 +149,7 @@ impl Run<'_> {
         let layout = self.reconstruct(params, folder, &mut progress)?;
         progress.step("writing");
         let contents: Result<Vec<_>, _> =
-            targets.iter().zip(options).map(|(t, o)| self.render(&layout, t, o)).collect();
+            targets.iter().zip(options).map(|(t, o)| t.render(&layout, self.scene, o)).collect();
         drop(progress);
         tell_messages(self.voice);
         output::write(targets, &contents?, force)?;
@@ -164,17 +168,6 @@ impl Run<'_> {
         watch.finish()?;
         Ok(layout)
     }
-
-    fn render(&self, layout: &Layout, target: &Target<'_>, options: &Options) -> Result<Content, Failure> {
-        let (mut file, mut companions) = (vec![], vec![vec![]; target.exporter.companions().len()]);
-        let document = Document { layout, scene: Some(self.scene) };
-        let (stem, extension) = target.name();
-        let output =
-            Output { stem: &stem, extension: &extension, file: &mut file, companions: &mut companions };
-        let written = target.exporter.write_files(&document, options, output);
-        written.map_err(|e| Failure::of_plugin(target.shown(), e))?;
-        Ok(Content { file, companions })
-    }
 }
 
 /// `map.yaml: 12 rooms (2 partial), 58 walls, 14 doors -> out.svg, out.dxf`
@@ -183,7 +176,8 @@ fn summary(input: &str, layout: &Layout, targets: &[Target<'_>]) -> String {
     format!("{input}: {} -> {}", found(layout), outputs.join(", "))
 }
 
-fn found(layout: &Layout) -> String {
+/// `12 rooms (2 partial), 58 walls, 14 doors`
+pub fn found(layout: &Layout) -> String {
     let partial = layout.rooms.iter().filter(|r| r.state == RoomState::Partial).count();
     let partial = if partial > 0 { format!(" ({partial} partial)") } else { String::new() };
     let openings = |kind| layout.openings.iter().filter(|o| o.kind == kind).count();

@@ -16,6 +16,8 @@ pub enum Failure {
     Failed(String),
     /// The command line asks for something that makes no sense: exit status 2.
     Usage(String),
+    /// The user or the system broke the work off: exit status 130, as shells tell it.
+    Interrupted(String),
     /// The reader of standard output went away, as `head` does: nothing to complain about.
     ReaderGone,
 }
@@ -39,17 +41,29 @@ impl Failure {
         Self::of_plugin(file, error.into())
     }
 
+    /// What went wrong.
+    pub fn sentence(self) -> String {
+        match self {
+            Self::Failed(sentence) | Self::Usage(sentence) | Self::Interrupted(sentence) => sentence,
+            Self::ReaderGone => "nobody reads the output any more".into(),
+        }
+    }
+
     /// Says what went wrong on standard error.
     pub fn report(self) -> ExitCode {
         let (sentence, code) = match self {
             Self::Failed(sentence) => (sentence, 1),
             Self::Usage(sentence) => (sentence, 2),
+            Self::Interrupted(sentence) => (sentence, INTERRUPTED),
             Self::ReaderGone => return ExitCode::SUCCESS,
         };
         say(&format!("error: {sentence}"));
         ExitCode::from(code)
     }
 }
+
+/// The exit status after Ctrl-C, as shells tell it.
+pub const INTERRUPTED: u8 = 130;
 
 /// A path as the user knows it: `-` is standard input.
 pub fn shown(path: &Path) -> String {

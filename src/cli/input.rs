@@ -1,6 +1,7 @@
 //! The document that a verb reads, and the flags that say how.
 
 use super::Failure;
+use super::caps::Caps;
 use super::failure::shown;
 use crate::host::{Choice, Claim, Registry, Setting, run_options};
 use clap::Args;
@@ -13,9 +14,16 @@ pub struct InputArgs {
     /// The document, such as the YAML file of a robot's map; `-` reads standard input
     #[arg(value_name = "INPUT")]
     pub input: PathBuf,
+    #[command(flatten)]
+    pub reading: ReadingArgs,
+}
+
+/// The flags that say how documents are read.
+#[derive(Args)]
+pub struct ReadingArgs {
     /// Read the document with this input adapter, whatever it looks like
     #[arg(long, value_name = "ADAPTER")]
-    from: Option<String>,
+    pub from: Option<String>,
     /// Set an option of every plugin that has it, or with PLUGIN.NAME=VALUE of one; `planform plugins info NAME` lists
     /// them
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -29,7 +37,7 @@ pub struct InputArgs {
     anchor: Option<String>,
 }
 
-impl InputArgs {
+impl ReadingArgs {
     /// All settings, the shortcuts included.
     pub fn settings(&self) -> Vec<Setting> {
         let shortcut = |name, value: &Option<String>| value.as_ref().map(|v| Setting::of(name, v));
@@ -45,23 +53,23 @@ pub struct Opened<'a> {
     pub source: Source,
     adapter: &'a dyn InputAdapter,
     claims: Option<Vec<Claim<'a>>>,
+    caps: Caps,
 }
 
 impl<'a> Opened<'a> {
     /// Opens the document and finds its adapter. A setting that one of the `others` takes may be meant for that alone.
     pub fn open(
         args: &'a InputArgs,
+        caps: Caps,
         registry: &'a Registry,
         others: &[&PluginInfo],
     ) -> Result<Self, Failure> {
         let path = args.input.as_path();
-        let source = source(path).map_err(|e| Failure::of_plugin(shown(path), e))?;
-        let settings = args.settings();
-        let settings: Vec<_> = settings.iter().filter(|s| !others.iter().any(|o| s.is_for(o))).collect();
-        let Choice { adapter, claims } = registry
-            .choose(&source, args.from.as_deref(), &settings)
-            .map_err(|e| Failure::of_plugin(shown(path), e))?;
-        Ok(Self { path, source, adapter, claims })
+        let source = source(path, caps.bytes).map_err(|e| Failure::of_plugin(shown(path), e))?;
+        let Choice { adapter, claims } =
+            choose(&source, args.reading.from.as_deref(), &args.reading.settings(), registry, others)
+                .map_err(|e| Failure::of_plugin(shown(path), e))?;
+        Ok(Self { path, source, adapter, claims, caps })
     }
 
     /// What each adapter says of the document.
@@ -77,20 +85,42 @@ impl<'a> Opened<'a> {
     /// The options of the adapter, then those of the `others`.
     pub fn options(&self, settings: &[Setting], others: &[&PluginInfo]) -> Result<Vec<Options>, Failure> {
         let plugins: Vec<_> = std::iter::once(self.adapter.info()).chain(others.iter().copied()).collect();
-        // Each alone, to name the one at fault.
-        let wrong =
-            settings.iter().find_map(|s| Some((s, run_options(std::slice::from_ref(s), &plugins).err()?)));
-        match wrong {
-            Some((setting, e)) => Err(Failure::Usage(format!("{}: {e}", typed(setting)))),
-            None => run_options(settings, &plugins).map_err(|e| Failure::of_plugin(self.shown(), e)),
-        }
+        run_options(settings, &plugins).map_err(|e| match culprit(settings, &plugins) {
+            Some(sentence) => Failure::Usage(sentence),
+            None => Failure::of_plugin(self.shown(), e),
+        })
     }
 
     /// Reads the document.
     pub fn read(&self, options: &Options, watcher: &mut dyn ReadWatcher) -> Result<Scene, Failure> {
-        let scene = self.adapter.read_watched(&self.source, options, watcher);
+        let scene = self.caps.check_source(&self.source, self.adapter).and_then(|()| {
+            let scene = self.adapter.read_watched(&self.source, options, watcher)?;
+            self.caps.check_scene(&scene)?;
+            Ok(scene)
+        });
         scene.map_err(|e| Failure::of_plugin(self.shown(), e))
     }
+}
+
+/// What is wrong with the first of the settings that cannot be used.
+pub fn culprit(settings: &[Setting], plugins: &[&PluginInfo]) -> Option<String> {
+    settings.iter().find_map(|s| {
+        // Each alone, to name the one at fault.
+        let e = run_options(std::slice::from_ref(s), plugins).err()?;
+        Some(format!("{}: {e}", typed(s)))
+    })
+}
+
+/// The adapter that reads a document. A setting that one of the `others` takes may be meant for that alone.
+pub fn choose<'a>(
+    source: &Source,
+    from: Option<&str>,
+    settings: &[Setting],
+    registry: &'a Registry,
+    others: &[&PluginInfo],
+) -> Result<Choice<'a>, PluginError> {
+    let settings: Vec<_> = settings.iter().filter(|s| !others.iter().any(|o| s.is_for(o))).collect();
+    registry.choose(source, from, &settings)
 }
 
 /// A setting as the user would type it.
@@ -103,17 +133,16 @@ fn typed(Setting { plugin, name, value }: &Setting) -> String {
     }
 }
 
-fn source(path: &Path) -> Result<Source, PluginError> {
+fn source(path: &Path, byte_limit: u64) -> Result<Source, PluginError> {
     let source =
-        if path == Path::new("-") { standard_input()? } else { Source::open(path, Source::BYTE_LIMIT)? };
+        if path == Path::new("-") { standard_input(byte_limit)? } else { Source::open(path, byte_limit)? };
     if source.bytes.is_empty() {
         return Err(PluginError::new(ErrorKind::BadInput, "is empty").advise("was it saved to the end?"));
     }
     Ok(source)
 }
 
-fn standard_input() -> Result<Source, PluginError> {
-    let byte_limit = Source::BYTE_LIMIT;
+fn standard_input(byte_limit: u64) -> Result<Source, PluginError> {
     let mut bytes = Vec::new();
     std::io::stdin().lock().take(byte_limit + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > byte_limit {

@@ -1,6 +1,7 @@
 //! `planform inspect`.
 
 use super::Failure;
+use super::caps::CapArgs;
 use super::failure::{print, safe};
 use super::input::{InputArgs, Opened};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
@@ -32,13 +33,15 @@ pub struct InspectArgs {
     #[arg(short, long)]
     verbose: bool,
     #[command(flatten)]
+    caps: CapArgs,
+    #[command(flatten)]
     outside: OutsideArgs,
 }
 
 pub fn run(args: &InspectArgs) -> Result<(), Failure> {
     let registry = args.outside.registry(args.verbose)?;
-    let mut opened = Opened::open(&args.input, &registry, &[])?;
-    let options = opened.options(&args.input.settings(), &[])?;
+    let mut opened = Opened::open(&args.input, args.caps.caps(), &registry, &[])?;
+    let options = opened.options(&args.input.reading.settings(), &[])?;
     tell_refusals(&registry, Voice::Normal);
     let scene = opened.read(&options[0], &mut ());
     tell_messages(Voice::Normal);

@@ -1,5 +1,7 @@
 //! The program `planform`: one file for each verb.
 
+mod batch;
+mod caps;
 mod completions;
 mod convert;
 mod evaluate;
@@ -29,6 +31,7 @@ const EXAMPLES: &str = "\
 Examples:
   planform convert map.yaml -o rooms.svg              draw the rooms of a robot's map
   planform convert map.yaml -o a.dxf -o a.geojson     two formats at once
+  planform batch plans -o drawings --to dxf           all documents of a folder
   planform inspect map.yaml                           what is in this file?
   planform plugins                                    what can be read and written?
 
@@ -46,6 +49,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Verb {
     Convert(convert::ConvertArgs),
+    Batch(Box<batch::BatchArgs>),
     Inspect(inspect::InspectArgs),
     Evaluate(evaluate::EvaluateArgs),
     Plugins(plugins::PluginsArgs),
@@ -58,6 +62,7 @@ impl Verb {
     fn run(&self) -> Result<(), Failure> {
         match self {
             Self::Convert(args) => convert::run(args),
+            Self::Batch(args) => batch::run(args),
             Self::Inspect(args) => inspect::run(args),
             Self::Evaluate(args) => evaluate::run(args),
             Self::Plugins(args) => plugins::run(args),
@@ -71,7 +76,7 @@ impl Verb {
 /// Runs the program with these arguments, the first being its own name.
 pub fn main(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     let args: Vec<_> = args.into_iter().collect();
-    if let Some(code) = plugin_process(&args) {
+    if let Some(code) = plugin_process(&args).or_else(|| batch_process(&args)) {
         return code;
     }
     match Cli::try_parse_from(&args) {
@@ -91,6 +96,13 @@ fn plugin_process(args: &[OsString]) -> Option<ExitCode> {
     let memory = memory.to_str()?.parse().ok()?;
     let served = (verb == isolated::VERB).then(|| isolated::serve(Path::new(library), memory))?;
     Some(served.map_or_else(|e| Failure::of_io(library, e).report(), |()| ExitCode::SUCCESS))
+}
+
+/// Works on one document for another run of the program, if that is what the arguments ask for.
+fn batch_process(args: &[OsString]) -> Option<ExitCode> {
+    let [_, verb] = args else { return None };
+    let served = (verb == batch::VERB).then(batch::serve)?;
+    Some(served.map_or_else(|e| Failure::of_io("standard input", e).report(), |()| ExitCode::SUCCESS))
 }
 
 /// Prints help, or what is wrong with the command line.

@@ -4,7 +4,7 @@ use super::Failure;
 use super::failure::print;
 use super::passing::{self, Entry};
 use crate::host::Registry;
-use planform_sdk::Exporter;
+use planform_sdk::{Document, Exporter, Layout, Options, Output, Scene};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -172,7 +172,8 @@ fn parted(path: &Path, exporter: &dyn Exporter) -> (String, String) {
 }
 
 impl<'a> Target<'a> {
-    fn new(path: &Path, exporter: &'a dyn Exporter) -> Self {
+    /// The output of this path and format.
+    pub fn new(path: &Path, exporter: &'a dyn Exporter) -> Self {
         let (stem, _) = parted(path, exporter);
         let companion = |extension: &String| {
             let path = path.with_file_name(format!("{stem}.{extension}"));
@@ -188,6 +189,23 @@ impl<'a> Target<'a> {
             Place::Stdout => Default::default(),
             Place::Device | Place::File(_) => parted(&self.path, self.exporter),
         }
+    }
+
+    /// What the document's file and its companions hold.
+    pub fn render(&self, layout: &Layout, scene: &Scene, options: &Options) -> Result<Content, Failure> {
+        let (mut file, mut companions) = (vec![], vec![vec![]; self.exporter.companions().len()]);
+        let document = Document { layout, scene: Some(scene) };
+        let (stem, extension) = self.name();
+        let output =
+            Output { stem: &stem, extension: &extension, file: &mut file, companions: &mut companions };
+        let written = self.exporter.write_files(&document, options, output);
+        written.map_err(|e| Failure::of_plugin(self.shown(), e))?;
+        Ok(Content { file, companions })
+    }
+
+    /// Its own path and those of its companions.
+    pub fn paths(&self) -> Vec<PathBuf> {
+        self.files().map(|(path, _)| path.clone()).collect()
     }
 
     /// Its own path and place, and those of its companions.

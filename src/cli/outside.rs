@@ -1,6 +1,7 @@
 //! The flags that say which plugins from outside are used, and how.
 
 use super::Failure;
+use super::batch::Outside;
 use super::failure::say;
 use super::progress::Voice;
 use crate::host::isolated::Limits;
@@ -49,6 +50,15 @@ impl OutsideArgs {
         let isolation = (!self.trust_plugins).then(|| self.limits.limits(echo));
         let settings = OutsideSettings { folders: self.plugin_dir.clone(), isolation };
         Ok(Registry::builtin().with_outside(settings))
+    }
+}
+
+impl OutsideArgs {
+    /// The same for the processes of a batch.
+    pub fn task(&self) -> Outside {
+        let isolation =
+            (!self.trust_plugins).then_some((self.limits.plugin_timeout, self.limits.plugin_memory));
+        Outside { folders: self.plugin_dir.iter().map(Into::into).collect(), isolation }
     }
 }
 

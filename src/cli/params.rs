@@ -2,7 +2,7 @@
 
 use super::Failure;
 use super::failure::print;
-use crate::reconstruct::{Method, Params};
+use crate::reconstruct::{Method, Params, ReconstructError};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use planform_sdk::Source;
@@ -117,6 +117,11 @@ fn wanted(expected: &str) -> &str {
         other if other.starts_with("struct ") => "a table of parameters",
         other => other,
     }
+}
+
+/// The failure over a flag that sets a parameter.
+pub fn exceed(error: &ReconstructError) -> Failure {
+    Failure::Usage(error.to_string())
 }
 
 fn find<'a>(table: &'a mut Table, key: &str) -> Option<&'a mut toml::Value> {

@@ -1,14 +1,12 @@
 //! The files that have a passing name: none stays behind when the user or the system ends the program.
 
+use super::failure::INTERRUPTED;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::{Mutex, MutexGuard, Once, PoisonError};
 use tempfile::NamedTempFile;
-
-/// The exit status after Ctrl-C, as shells tell it.
-const INTERRUPTED: i32 = 130;
 
 static PASSING: Passing = Passing::new();
 static HANDLER: Once = Once::new();
@@ -28,7 +26,7 @@ fn listen() {
         // Locked to the end, so that no new file is made.
         let mut paths = PASSING.lock();
         remove(&mut paths);
-        process::exit(INTERRUPTED);
+        process::exit(INTERRUPTED.into());
     });
 }
 

@@ -1,10 +1,11 @@
 //! The user's `NAME=VALUE` settings, handed out to the plugins that take them.
 
 use planform_sdk::{ErrorKind, Options, PluginError, PluginInfo};
+use serde::{Deserialize, Serialize};
 use std::str::FromStr;
 
 /// One value for an option: `NAME=VALUE` for every plugin that has the option, `PLUGIN.NAME=VALUE` for one plugin.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Setting {
     /// The only plugin meant, if one was named.
     pub plugin: Option<String>,

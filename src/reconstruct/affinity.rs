@@ -71,8 +71,13 @@ mod tests {
     #[test]
     fn a_wall_separates_and_a_gap_joins() {
         let line = Line { angle: PI / 2.0, offset: -5.0, covered: vec![(0.0, 7.5)], support: 7.5 };
-        let a =
-            Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 10.0), std::slice::from_ref(&line));
+        let a = Arrangement::of_lines(
+            Point::new(0.0, 0.0),
+            Point::new(10.0, 10.0),
+            std::slice::from_ref(&line),
+            usize::MAX,
+        )
+        .unwrap();
         let edges = a.edges();
         let weights = weights(&a, &edges, &[line]);
         let between = edges.iter().position(|e| e.right.is_some()).unwrap();

@@ -88,7 +88,8 @@ mod tests {
     fn edges_between_the_same_rooms_are_one_run() {
         let line = |angle, offset, covered| Line { angle, offset, covered, support: 1.0 };
         let lines = [line(0.0, 5.0, vec![(0.0, 4.0)]), line(PI / 2.0, -4.0, vec![])];
-        let a = Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 10.0), &lines);
+        let a =
+            Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 10.0), &lines, usize::MAX).unwrap();
         let edges = a.edges();
         let weights = super::super::affinity::weights(&a, &edges, &lines);
         let above = |f: usize| usize::from(a.ring(f).iter().map(|p| p.y).sum::<f64>() < 20.0);

@@ -22,11 +22,13 @@ pub struct Faces {
     pub inner_share: f64,
     /// How far beyond the inner area the lines are drawn. Metres.
     pub margin: f64,
+    /// The most faces; a map with more is refused.
+    pub max_count: usize,
 }
 
 impl Default for Faces {
     fn default() -> Self {
-        Self { inner_share: 0.3, margin: 1.0 }
+        Self { inner_share: 0.3, margin: 1.0, max_count: 500_000 }
     }
 }
 
@@ -90,13 +92,16 @@ impl Arrangement {
         Self { vertices, faces: vec![Face { sides }] }
     }
 
-    /// The rectangle split by all the lines.
-    pub fn of_lines(low: Point, high: Point, lines: &[Line]) -> Self {
+    /// The rectangle split by all the lines; none if there are more than `most` faces.
+    pub fn of_lines(low: Point, high: Point, lines: &[Line], most: usize) -> Option<Self> {
         let mut arrangement = Self::new(low, high);
         for (i, line) in lines.iter().enumerate() {
             arrangement.split(i, line, |_| true);
+            if arrangement.faces.len() > most {
+                return None;
+            }
         }
-        arrangement
+        Some(arrangement)
     }
 
     /// Splits the faces of the selection with a line, which gets this number. A face keeps its number for its part
@@ -341,7 +346,7 @@ mod tests {
     }
 
     fn square(lines: &[Line]) -> Arrangement {
-        Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 10.0), lines)
+        Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 10.0), lines, usize::MAX).unwrap()
     }
 
     fn check(a: &Arrangement) {

@@ -67,6 +67,9 @@ pub enum ReconstructError {
         "the map shows no walls, so there is no room to find; `planform inspect` tells which cells are taken for what"
     )]
     NoWalls,
+    /// Too much for the parameter `faces.max_count`.
+    #[error("the map's lines part it into more than {0} faces; `--max-faces` allows more")]
+    TooManyFaces(usize),
     /// A parameter has no usable value.
     #[error("parameter `{name}` cannot be {value}; {advice}")]
     Parameter {

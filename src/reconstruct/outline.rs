@@ -137,7 +137,7 @@ mod tests {
         let line = |angle, offset| Line { angle, offset, covered: vec![], support: 1.0 };
         let lines: Vec<Line> =
             [0.0, 1.0, 2.0, 3.0].iter().flat_map(|&o| [line(0.0, o), line(PI / 2.0, -o)]).collect();
-        Arrangement::of_lines(Point::new(-1.0, -1.0), Point::new(4.0, 4.0), &lines)
+        Arrangement::of_lines(Point::new(-1.0, -1.0), Point::new(4.0, 4.0), &lines, usize::MAX).unwrap()
     }
 
     fn face_at(a: &Arrangement, x: f64, y: f64) -> usize {

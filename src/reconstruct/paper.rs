@@ -24,7 +24,7 @@ pub fn reconstruct(
     let map = run.map(&scene.grid)?;
     let segments = run.segments(&map)?;
     let lines = run.lines(&segments);
-    let division = run.faces(&map, lines, &segments);
+    let division = run.faces(&map, lines, &segments)?;
     let rooms = run.rooms(&division);
     Ok(run.layout(scene, &map, &division, rooms))
 }
@@ -137,14 +137,20 @@ impl Paper<'_> {
         lines::represent(&clusters, &self.params.lines)
     }
 
-    fn faces(&mut self, map: &Map, mut lines: Vec<Line>, segments: &[Segment]) -> Division {
+    fn faces(
+        &mut self,
+        map: &Map,
+        mut lines: Vec<Line>,
+        segments: &[Segment],
+    ) -> Result<Division, ReconstructError> {
         let (scale, limits) = (Scale(self.resolution), &self.params.faces);
         let bounds = corners(map.extent, self.resolution, limits.margin);
         let clipped = || lines.iter().filter_map(|l| l.within(bounds.0, bounds.1)).collect::<Vec<_>>();
         self.draw(Step::Lines, || scale.lines(&clipped()));
         self.begin(Step::Faces);
         let representative = lines.len();
-        let mut arrangement = Arrangement::of_lines(bounds.0, bounds.1, &lines);
+        let arrangement = Arrangement::of_lines(bounds.0, bounds.1, &lines, limits.max_count);
+        let mut arrangement = arrangement.ok_or(ReconstructError::TooManyFaces(limits.max_count))?;
         let share = faces::shares(&arrangement, &map.inner, self.resolution);
         let seen = |f: usize| share[f] >= limits.inner_share;
         partial::close(&mut arrangement, &mut lines, segments, &map.inner, self.resolution, seen);
@@ -153,7 +159,7 @@ impl Paper<'_> {
         let edges = arrangement.edges();
         let weights = affinity::weights(&arrangement, &edges, &lines);
         self.draw(Step::Faces, || scale.faces(&arrangement, &edges, |f| member[f], |_| false));
-        Division { lines, representative, arrangement, edges, weights, member, bounds }
+        Ok(Division { lines, representative, arrangement, edges, weights, member, bounds })
     }
 
     fn rooms(&mut self, d: &Division) -> Clusters {

@@ -88,6 +88,7 @@ impl Params {
             ("lines.max_count", self.lines.max_count as f64, 1.0..=1000.0),
             ("faces.inner_share", self.faces.inner_share, 1e-3..=1.0),
             ("faces.margin", self.faces.margin, 1e-3..=50.0),
+            ("faces.max_count", self.faces.max_count as f64, 1.0..=1e6),
             ("affinity.sigma", self.affinity.sigma, 1e-3..=100.0),
             ("rooms.epsilon", self.rooms.epsilon, 0.0..=2.0),
             ("partial.weight", self.partial.weight, 0.0..=1.0),

@@ -142,7 +142,8 @@ mod tests {
     fn faces_open_to_the_outside_are_partial() {
         let line = |offset, covered| Line { angle: 0.0, offset, covered, support: 1.0 };
         let lines = [line(1.0, vec![]), line(2.0, vec![(0.0, 10.0)])];
-        let a = Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 3.0), &lines);
+        let a =
+            Arrangement::of_lines(Point::new(0.0, 0.0), Point::new(10.0, 3.0), &lines, usize::MAX).unwrap();
         let member: Vec<bool> = (0..3).map(|f| a.polygon(f).contains(Point::new(5.0, 1.5))).collect();
         let edges = a.edges();
         let weights = super::super::affinity::weights(&a, &edges, &lines);

@@ -26,6 +26,13 @@ pub trait InputAdapter: Send + Sync {
         None
     }
 
+    /// The files beside the document that belong to it, as [`Source::read_sibling`] takes them: the picture of a map, for
+    /// example. They are not documents of their own where whole folders are read. None for what is not the adapter's.
+    fn siblings(&self, source: &Source) -> Vec<String> {
+        let _ = source;
+        vec![]
+    }
+
     /// Reads the document.
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError>;
 

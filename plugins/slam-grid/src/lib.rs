@@ -48,10 +48,39 @@ impl InputAdapter for SlamGrid {
         probe::probe(probe)
     }
 
+    fn siblings(&self, source: &Source) -> Vec<String> {
+        let is_map = matches!(document::kind(source), Ok(Kind::Yaml));
+        is_map.then(|| metadata::image_of(&source.bytes)).flatten().into_iter().collect()
+    }
+
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
         match document::kind(source)? {
             Kind::Yaml => ros_map::read(source, options),
             Kind::Picture(format) => bare::read(source, format, options),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_map_has_its_picture_beside_it() {
+        let siblings = |name: &str, text: &str| {
+            adapter().siblings(&Source { path: name.into(), bytes: text.into(), byte_limit: 1 << 20 })
+        };
+        assert_eq!(siblings("m.yaml", "image: a b.pgm\nresolution: 0.05\n"), ["a b.pgm"]);
+        assert_eq!(siblings("m.yaml", "image: a.pgm\nresolution: none\n"), ["a.pgm"]);
+        for (name, text) in [
+            ("m.yaml", "resolution: 0.05\n"),
+            ("m.yaml", "image: ''\n"),
+            ("m.yaml", "image: [a\n"),
+            ("m.png", "image: a.pgm\n"),
+            ("m.pgm", "P2 1 1 255 0"),
+            ("m.yaml", ""),
+        ] {
+            assert_eq!(siblings(name, text), Vec::<String>::new(), "{text}");
         }
     }
 }

@@ -91,6 +91,11 @@ fn parse_yaml(text: &str) -> Result<Raw, PluginError> {
     })
 }
 
+/// The picture that the YAML of a map server names, whatever else is wrong with it.
+pub fn image_of(bytes: &[u8]) -> Option<String> {
+    image(parse_yaml(bytes).ok()?.image).ok()
+}
+
 fn image(value: Option<Scalar>) -> Result<String, PluginError> {
     let value = required(value, "image", "the path of the map's picture")?;
     if value.value.trim().is_empty() {

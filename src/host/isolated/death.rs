@@ -49,13 +49,19 @@ impl Death {
     }
 
     fn was_out_of_memory(&self, limits: &Limits) -> bool {
-        let said = ["memory allocation of", "bad_alloc", "Cannot allocate memory"];
-        said.iter().any(|words| self.last_words.contains(words)) || self.peak >= limits.bytes() / 10 * 9
+        says_out_of_memory(&self.last_words) || self.peak >= limits.bytes() / 10 * 9
     }
 }
 
+/// Whether a process's last words are those of one to which the system gave no more memory.
+pub fn says_out_of_memory(last_words: &str) -> bool {
+    let said = ["memory allocation of", "bad_alloc", "Cannot allocate memory"];
+    said.iter().any(|words| last_words.contains(words))
+}
+
+/// How a process ended, in words.
 #[cfg(unix)]
-fn ended(status: ExitStatus) -> String {
+pub fn ended(status: ExitStatus) -> String {
     use std::os::unix::process::ExitStatusExt;
     match status.signal() {
         None => format!("it ended its process with the status {}", status.code().unwrap_or(0)),
@@ -69,8 +75,9 @@ fn ended(status: ExitStatus) -> String {
     }
 }
 
+/// How a process ended, in words.
 #[cfg(not(unix))]
-fn ended(status: ExitStatus) -> String {
+pub fn ended(status: ExitStatus) -> String {
     format!("it ended its process with the {status}")
 }
 
@@ -80,13 +87,15 @@ pub fn address_space(pid: u32) -> Option<u64> {
     Some(pages.split_whitespace().next()?.parse::<u64>().ok()? * page_size())
 }
 
+/// The bytes of a page of memory.
 #[cfg(unix)]
-fn page_size() -> u64 {
+pub fn page_size() -> u64 {
     rustix::param::page_size() as u64
 }
 
+/// The bytes of a page of memory.
 #[cfg(not(unix))]
-fn page_size() -> u64 {
+pub fn page_size() -> u64 {
     4096
 }
 

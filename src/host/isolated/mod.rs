@@ -4,12 +4,17 @@
 //! library, and is ended with its [`Process`]; it also ends by itself when this program does, however that happens.
 
 mod death;
+mod group;
 mod process;
 mod wire;
 mod worker;
 
+pub(crate) use death::{ended, page_size, says_out_of_memory};
+pub(crate) use group::{Group, overhear};
 pub use process::{Process, Remote};
+pub(crate) use wire::{receive, send};
 pub use worker::serve;
+pub(crate) use worker::{end_at_once, own_output};
 
 use std::path::PathBuf;
 use std::time::Duration;

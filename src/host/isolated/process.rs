@@ -1,6 +1,7 @@
 //! The program's end: starts the process, asks it, and finds out why it does not answer.
 
 use super::death::{Death, address_space};
+use super::group::{Group, overhear};
 use super::wire::{self, Answer, Reply, Request, SceneHeader};
 use super::{Limits, VERB};
 use planform_sdk::abi::host::{exact, note};
@@ -8,9 +9,9 @@ use planform_sdk::{
     Confidence, Document, ErrorKind, Exporter, InputAdapter, Options, Output, Picture, PluginError,
     PluginInfo, Probe, ReadWatcher, Scene, Source,
 };
-use std::io::{self, BufRead, BufReader, Write};
+use std::io::{self, BufReader, Write};
 use std::path::{Path, PathBuf};
-use std::process::{Child, ChildStderr, ChildStdin, ChildStdout, Command, ExitStatus, Stdio};
+use std::process::{ChildStdin, ChildStdout, Command};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel, sync_channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
@@ -18,9 +19,6 @@ use std::time::{Duration, Instant};
 
 /// How often a working process's memory is looked at.
 const LOOK: Duration = Duration::from_millis(10);
-
-/// How much of what a process printed last is kept, bytes.
-const LAST_WORDS: usize = 4096;
 
 /// The longest that a library may take to be loaded and to say what is in it: nobody has asked for it yet.
 const LOADING: Duration = Duration::from_secs(10);
@@ -145,7 +143,7 @@ fn out_of_turn() -> PluginError {
 
 /// A process at work.
 struct Running {
-    child: Child,
+    group: Group,
     calls: Sender<Call>,
     replies: Receiver<Answered>,
     errors: Receiver<()>,
@@ -154,7 +152,6 @@ struct Running {
     peak: u64,
     /// How much of that is planform's own, which it says before it loads the library.
     own: Option<u64>,
-    has_been_waited_for: bool,
 }
 
 impl Running {
@@ -162,26 +159,16 @@ impl Running {
         let program = limits.program.clone().map_or_else(std::env::current_exe, Ok)?;
         let mut command = Command::new(program);
         command.arg(VERB).arg(library).arg(limits.memory.to_string());
-        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        // With a group of its own, what the plugin starts is ended with it.
-        #[cfg(unix)]
-        std::os::unix::process::CommandExt::process_group(&mut command, 0);
-        let mut child = command.spawn()?;
-        let (Some(input), Some(output), Some(errors)) =
-            (child.stdin.take(), child.stdout.take(), child.stderr.take())
-        else {
-            return Err(io::Error::other("it has no pipes"));
-        };
+        let (group, (input, output, errors)) = Group::start(command)?;
         let last_words = Arc::default();
         Ok(Self {
-            child,
+            group,
             calls: speak(input),
             replies: hear(output, limits.bytes()),
             errors: overhear(errors, Arc::clone(&last_words), limits.echo),
             last_words,
             peak: 0,
             own: None,
-            has_been_waited_for: false,
         })
     }
 
@@ -220,15 +207,15 @@ impl Running {
 
     /// Whether the process lives and has not taken too much memory.
     fn goes_on(&mut self, limits: &Limits) -> bool {
-        self.peak = self.peak.max(address_space(self.child.id()).unwrap_or(0));
+        self.peak = self.peak.max(address_space(self.group.id()).unwrap_or(0));
         let within = self.own.is_none_or(|own| self.peak.saturating_sub(own) <= limits.bytes());
-        within && !has_ended(&mut self.child)
+        within && !self.group.has_ended()
     }
 
     /// Ends the process, if it has not ended by itself, and what it started.
     fn end(mut self, late: bool) -> Death {
         let by_itself = !late && self.is_ending();
-        let status = self.kill().filter(|_| by_itself);
+        let status = self.group.end().filter(|_| by_itself);
         let words = self.last_words.lock().unwrap_or_else(PoisonError::into_inner);
         let peak = self.peak.saturating_sub(self.own.unwrap_or(0));
         Death { status, late, last_words: String::from_utf8_lossy(&words).into_owned(), peak }
@@ -239,45 +226,10 @@ impl Running {
     fn is_ending(&mut self) -> bool {
         let end = Instant::now() + LAST_WAIT;
         let _ = self.errors.recv_timeout(LAST_WAIT);
-        while !has_ended(&mut self.child) && Instant::now() < end {
+        while !self.group.has_ended() && Instant::now() < end {
             thread::sleep(Duration::from_millis(1));
         }
-        has_ended(&mut self.child)
-    }
-
-    /// Ends the process and what it started, and waits for it.
-    fn kill(&mut self) -> Option<ExitStatus> {
-        // From then on its number may be another's.
-        if std::mem::replace(&mut self.has_been_waited_for, true) {
-            return None;
-        }
-        #[cfg(unix)]
-        if let Some(group) = i32::try_from(self.child.id()).ok().and_then(rustix::process::Pid::from_raw) {
-            // Fails when all of them have ended.
-            let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
-        }
-        let _ = self.child.kill();
-        self.child.wait().ok()
-    }
-}
-
-/// Whether the process has ended. It is not waited for: until then its group is its own.
-#[cfg(unix)]
-fn has_ended(child: &mut Child) -> bool {
-    use rustix::process::{Pid, WaitId, WaitIdOptions, waitid};
-    let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
-    let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw).map(WaitId::Pid);
-    id.is_none_or(|id| !matches!(waitid(id, options), Ok(None)))
-}
-
-#[cfg(not(unix))]
-fn has_ended(child: &mut Child) -> bool {
-    !matches!(child.try_wait(), Ok(None))
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        self.kill();
+        self.group.has_ended()
     }
 }
 
@@ -303,29 +255,6 @@ fn hear(output: ChildStdout, limit: u64) -> Receiver<Answered> {
         }
     });
     received
-}
-
-/// Keeps the last that the process prints on standard error, and shows it if that is asked for. The channel closes
-/// when there is no more.
-fn overhear(errors: ChildStderr, last_words: Arc<Mutex<Vec<u8>>>, echo: bool) -> Receiver<()> {
-    let (open, closed) = channel();
-    thread::spawn(move || {
-        let _open = open;
-        let mut errors = BufReader::new(errors);
-        // Nobody is left to be told when standard error is closed.
-        while let Ok(line @ [_, ..]) = errors.fill_buf() {
-            if echo {
-                let _ = io::stderr().write_all(line);
-            }
-            let mut words = last_words.lock().unwrap_or_else(PoisonError::into_inner);
-            words.extend_from_slice(line);
-            let excess = words.len().saturating_sub(LAST_WORDS);
-            words.drain(..excess);
-            let length = line.len();
-            errors.consume(length);
-        }
-    });
-    closed
 }
 
 /// An adapter or exporter in a process of its own.

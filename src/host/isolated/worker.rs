@@ -43,14 +43,14 @@ pub fn serve(library: &Path, memory: u64) -> io::Result<()> {
 
 /// Standard output for answers alone: what the plugin prints there goes to standard error.
 #[cfg(unix)]
-fn own_output() -> io::Result<std::fs::File> {
+pub fn own_output() -> io::Result<std::fs::File> {
     let own = rustix::io::fcntl_dupfd_cloexec(rustix::stdio::stdout(), 3)?;
     rustix::stdio::dup2_stdout(rustix::stdio::stderr())?;
     Ok(own.into())
 }
 
 #[cfg(not(unix))]
-fn own_output() -> io::Result<io::Stdout> {
+pub fn own_output() -> io::Result<io::Stdout> {
     Ok(io::stdout())
 }
 
@@ -88,13 +88,13 @@ fn listen(limit: u64) -> Receiver<Call> {
                 break;
             }
         }
-        end();
+        end_at_once();
     });
     received
 }
 
 /// Ends this process at once: the plugin's own exit handlers may hang.
-fn end() {
+pub fn end_at_once() {
     #[cfg(unix)]
     let _ = rustix::process::kill_process(rustix::process::getpid(), rustix::process::Signal::KILL);
     std::process::exit(0);
