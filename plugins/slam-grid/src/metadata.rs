@@ -93,7 +93,7 @@ fn parse_yaml(text: &str) -> Result<Raw, PluginError> {
 
 /// The picture that the YAML of a map server names, whatever else is wrong with it.
 pub fn image_of(bytes: &[u8]) -> Option<String> {
-    image(parse_yaml(bytes).ok()?.image).ok()
+    image(parse_yaml(&text(bytes).ok()?).ok()?.image).ok()
 }
 
 fn image(value: Option<Scalar>) -> Result<String, PluginError> {
