@@ -1,6 +1,6 @@
 //! How much two neighbouring faces belong together: L, D and A of the paper's section III.
 
-use super::faces::{Arrangement, Edge};
+use super::arrangement::{Arrangement, Edge};
 use super::lines::Line;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

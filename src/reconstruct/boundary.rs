@@ -1,6 +1,6 @@
 //! The boundaries between rooms: straight runs of edges on one line, with the same room on either side.
 
-use super::faces::{Arrangement, Edge};
+use super::arrangement::{Arrangement, Edge};
 use super::lines::Line;
 use planform_sdk::{Point, Segment};
 use std::collections::BTreeMap;
@@ -93,7 +93,7 @@ mod tests {
         let edges = a.edges();
         let weights = super::super::affinity::weights(&a, &edges, &lines);
         let above = |f: usize| usize::from(a.ring(f).iter().map(|p| p.y).sum::<f64>() < 20.0);
-        let room: Vec<_> = (0..a.faces.len()).map(|f| Some(above(f))).collect();
+        let room: Vec<_> = (0..a.count()).map(|f| Some(above(f))).collect();
         let runs = runs(&a, &edges, &weights, &lines, &room);
         let shared: Vec<&Run> =
             runs.iter().filter(|r| r.rooms[0].is_some() && r.rooms[1].is_some()).collect();

@@ -1,9 +1,9 @@
 //! What each step found, as drawings: the pictures of the paper's Fig. 1.
 
+use super::arrangement::{Arrangement, Edge};
 use super::boundary::Run;
 use super::collinear::Collinears;
 use super::directions::Direction;
-use super::faces::{Arrangement, Edge};
 use super::observer::{Drawing, Shape};
 use super::raster::Mask;
 use planform_sdk::{Point, Polygon, Segment};
@@ -72,7 +72,7 @@ impl Scale {
         partial: impl Fn(usize) -> bool,
     ) -> Drawing {
         let fill = |f: usize| self.area(&arrangement.polygon(f), if partial(f) { BLUE } else { YELLOW });
-        let mut shapes: Vec<Shape> = (0..arrangement.faces.len()).filter(|&f| inner(f)).map(fill).collect();
+        let mut shapes: Vec<Shape> = (0..arrangement.count()).filter(|&f| inner(f)).map(fill).collect();
         shapes.extend(edges.iter().map(|e| self.line(ends(arrangement, e), RED, 1.0)));
         Drawing { shapes }
     }

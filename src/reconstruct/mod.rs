@@ -4,6 +4,7 @@
 //! The core reads no file, prints nothing and does not know where a grid came from.
 
 mod affinity;
+mod arrangement;
 #[doc(hidden)]
 pub mod basins;
 mod boundary;

@@ -1,6 +1,6 @@
 //! The polygon of a set of faces: what the merged faces of a room enclose.
 
-use super::faces::{Arrangement, Edge, VertexId};
+use super::arrangement::{Arrangement, Edge, VertexId};
 use planform_sdk::{Point, Polygon, ring_signed_area};
 use std::collections::BTreeMap;
 
@@ -141,12 +141,12 @@ mod tests {
     }
 
     fn face_at(a: &Arrangement, x: f64, y: f64) -> usize {
-        (0..a.faces.len()).find(|&f| a.polygon(f).contains(Point::new(x, y))).unwrap()
+        (0..a.count()).find(|&f| a.polygon(f).contains(Point::new(x, y))).unwrap()
     }
 
     fn outline(a: &Arrangement, chosen: &[(f64, f64)]) -> Vec<Polygon> {
         let chosen: Vec<usize> = chosen.iter().map(|&(x, y)| face_at(a, x, y)).collect();
-        let group: Vec<_> = (0..a.faces.len()).map(|f| chosen.contains(&f).then_some(0)).collect();
+        let group: Vec<_> = (0..a.count()).map(|f| chosen.contains(&f).then_some(0)).collect();
         outlines(a, &a.edges(), &group).iter().map(Outline::polygon).collect()
     }
 

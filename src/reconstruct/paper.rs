@@ -1,8 +1,8 @@
 //! Algorithm 1 of the paper, step after step.
 
+use super::arrangement::{Arrangement, Edge};
 use super::boundary::{self, Run};
 use super::drawings::{self, Scale};
-use super::faces::{Arrangement, Edge};
 use super::lines::Line;
 use super::openings::{self, Gap};
 use super::outline::{self, Outline};
@@ -165,7 +165,7 @@ impl Paper<'_> {
     fn rooms(&mut self, d: &Division) -> Clusters {
         let (scale, member) = (Scale(self.resolution), |f: usize| d.member[f]);
         self.begin(Step::Affinity);
-        let count = d.arrangement.faces.len();
+        let count = d.arrangement.count();
         let a = affinity::local_affinity(count, &d.edges, &d.weights, &self.params.affinity, member);
         self.draw(Step::Affinity, || scale.weights(&d.arrangement, &d.edges, &d.weights, member));
         self.begin(Step::Rooms);

@@ -1,9 +1,10 @@
 //! Rooms that were not seen whole: which they are, and a wall where no line closes them.
 
+use super::arrangement::{Arrangement, Edge};
 use super::boundary::Run;
 use super::collinear::offset;
 use super::directions::{difference, line_angle};
-use super::faces::{Arrangement, Edge, set_cells};
+use super::faces::set_cells;
 use super::lines::Line;
 use super::paper::Clusters;
 use super::raster::Mask;
@@ -36,15 +37,15 @@ pub fn close(
     resolution: f64,
     selected: impl Fn(usize) -> bool,
 ) {
-    for face in (0..arrangement.faces.len()).filter(|&f| selected(f)) {
+    for face in (0..arrangement.count()).filter(|&f| selected(f)) {
         let mut open = face;
         for side in border_sides(arrangement, face) {
             let seen = set_cells(&arrangement.ring(open), inner, resolution);
             let Some(line) = closing_line(&side, &seen, segments, resolution) else { continue };
-            let parts = arrangement.faces.len();
+            let parts = arrangement.count();
             arrangement.split(lines.len(), &line, |f| f == open);
             // The left part keeps the face's number.
-            if arrangement.faces.len() > parts && seen.iter().any(|&p| line.side(p) < 0.0) {
+            if arrangement.count() > parts && seen.iter().any(|&p| line.side(p) < 0.0) {
                 open = parts;
             }
             lines.push(line);
@@ -55,11 +56,7 @@ pub fn close(
 /// The sides of a face on the border of the area.
 fn border_sides(arrangement: &Arrangement, face: usize) -> Vec<Segment> {
     let at = |v: usize| arrangement.vertices[v];
-    arrangement.faces[face]
-        .edges()
-        .filter(|e| e.2.is_none())
-        .map(|(a, b, _)| Segment::new(at(a), at(b)))
-        .collect()
+    arrangement.sides(face).filter(|e| e.2.is_none()).map(|(a, b, _)| Segment::new(at(a), at(b))).collect()
 }
 
 /// The line at the end of the seen cells towards an open side; the side has the face to its left.
@@ -88,7 +85,7 @@ pub fn partial_faces(
     params: &Partial,
     member: impl Fn(usize) -> bool,
 ) -> Vec<bool> {
-    let mut partial = vec![false; arrangement.faces.len()];
+    let mut partial = vec![false; arrangement.count()];
     for (edge, _) in edges.iter().zip(weights).filter(|(_, w)| **w < params.weight) {
         match (member(edge.left), edge.right.filter(|&f| member(f))) {
             (true, None) => partial[edge.left] = true,
@@ -131,7 +128,7 @@ mod tests {
         ];
         let mut lines = Vec::new();
         close(&mut arrangement, &mut lines, &segments, &seen, 1.0, |_| true);
-        let face = (0..arrangement.faces.len())
+        let face = (0..arrangement.count())
             .find(|&f| arrangement.polygon(f).contains(Point::new(5.0, 2.0)))
             .unwrap();
         let polygon = arrangement.polygon(face);

@@ -113,7 +113,7 @@ fn sound(plan: &Plan) {
     }
     for room in rooms {
         let outside = to_geo(&room.floor).difference(&to_geo(&room.centre)).unsigned_area();
-        assert!(outside < 1e-3 * room.floor.area() + 1e-3, "{outside}: {room:?}");
+        assert!(outside < 1e-3 * room.floor.area() + 2e-3, "{outside}: {room:?}");
     }
 }
 
