@@ -85,7 +85,7 @@ fn sill(&[a, b]: &[Point; 2]) -> Option<Placed> {
 mod tests {
     use super::super::shapes::arc_points;
     use super::*;
-    use std::f64::consts::{FRAC_PI_2, PI};
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
     fn shape(points: Vec<Point>) -> Shape {
         Shape { points, width: 0.0, filled: false }
@@ -132,7 +132,7 @@ mod tests {
 
     #[test]
     fn other_lines_are_no_doors() {
-        let round = shape(arc_points([0.0; 2], 1.0, 0.0, 6.28));
+        let round = shape(arc_points([0.0; 2], 1.0, 0.0, TAU));
         let line = shape(vec![[0.0, 0.0], [4.0, 0.0]]);
         assert_eq!(doors(&[round, line], &[[[1.0, 1.0], [1.0, 1.0]]]), vec![]);
     }
