@@ -137,29 +137,16 @@ impl Arrangement {
                 found.push(face);
             }
         };
-        let mut outer = self.outer;
-        loop {
-            if self.is_met(outer, line) {
-                enter(&mut self.marks.faces, &mut found, self.halves[outer as usize ^ 1].face);
-            }
-            outer = self.next(outer);
-            if outer == self.outer {
-                break;
-            }
-        }
+        let mut start = self.outer;
         let mut at = 0;
-        while let Some(&face) = found.get(at) {
-            let start = self.first[face as usize];
-            let mut half = start;
-            loop {
+        loop {
+            for half in self.ring_from(start) {
                 if self.is_met(half, line) {
                     enter(&mut self.marks.faces, &mut found, self.halves[half as usize ^ 1].face);
                 }
-                half = self.next(half);
-                if half == start {
-                    break;
-                }
             }
+            let Some(&face) = found.get(at) else { break };
+            start = self.first[face as usize];
             at += 1;
         }
         found.retain(|&f| selected(f as usize));
@@ -192,7 +179,11 @@ impl Arrangement {
 
     /// The sides of a face, in order.
     fn halves_of(&self, face: u32) -> Vec<u32> {
-        let start = self.first[face as usize];
+        self.ring_from(self.first[face as usize])
+    }
+
+    /// The sides of the face, or of the outside, that has this one, from it on.
+    fn ring_from(&self, start: u32) -> Vec<u32> {
         let after = |&half: &u32| Some(self.next(half)).filter(|&next| next != start);
         std::iter::successors(Some(start), after).collect()
     }

@@ -109,9 +109,21 @@ impl Drawing<'_> {
         [-1.0, 1.0].map(|side| self.reaches(segment, side).fold(otherwise, f64::max))
     }
 
-    /// How far it is from an opening to the floors of its rooms on its right and left, as most places of it have it,
-    /// metres; none if these floors are not on its two sides.
-    pub fn depth(&self, segment: &Segment, rooms: [RoomId; 2]) -> Option<[f64; 2]> {
+    /// How far it is from each half of an opening to the floors of its rooms on its right and left, as most places of
+    /// the half have it, metres; none if these floors are not on its two sides.
+    pub fn depths(&self, segment: &Segment, rooms: [RoomId; 2]) -> Option<[[f64; 2]; 2]> {
+        let middle = segment.midpoint();
+        let halves = [Segment::new(segment.a, middle), Segment::new(middle, segment.b)];
+        let depths = |rooms| {
+            let [a, b] = halves.each_ref().map(|half| self.depth(half, rooms));
+            Some([a?, b?])
+        };
+        let [a, b] = rooms;
+        depths([a, b]).or_else(|| depths([b, a]))
+    }
+
+    /// How far it is from a segment to the floors of the rooms on its right and left, as most places of it have it.
+    fn depth(&self, segment: &Segment, [right, left]: [RoomId; 2]) -> Option<[f64; 2]> {
         // What is found is up to half a cell too far.
         let off = self.frame.resolution / 4.0;
         let side = |side: f64, room: RoomId| {
@@ -121,8 +133,7 @@ impl Drawing<'_> {
             let half = reaches.len() / 2;
             reaches.get(half).filter(|_| 2 * reaches.len() > PLACES as usize).map(|r| (r - off).max(0.0))
         };
-        let [a, b] = rooms;
-        [[a, b], [b, a]].into_iter().find_map(|[right, left]| Some([side(-1.0, right)?, side(1.0, left)?]))
+        Some([side(-1.0, right)?, side(1.0, left)?])
     }
 
     fn reaches(&self, segment: &Segment, side: f64) -> impl Iterator<Item = f64> {

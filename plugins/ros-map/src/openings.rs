@@ -38,14 +38,18 @@ pub fn stated(drawing: &Drawing<'_>) -> Vec<Stated> {
     shallow.chain(deep).collect()
 }
 
-/// The opening in the middle between the floors; none if it does not lie between those of its rooms.
+/// The opening in the middle between the floors, slanting as they do; none if it does not lie between those of its
+/// rooms.
 fn centred(drawing: &Drawing<'_>, opening: &Opening) -> Option<Stated> {
     let Opening { kind, segment, rooms } = *opening;
-    let [right, left] = drawing.depth(&segment, rooms)?;
+    let depths = drawing.depths(&segment, rooms)?;
+    let [first, second] = depths.map(|[right, left]| (left - right) / 2.0);
     let (sin, cos) = segment.angle().sin_cos();
-    let off = (left - right) / 2.0;
-    let moved = |p: Point| Point::new(p.x - off * sin, p.y + off * cos);
-    Some(Stated { kind, segment: Segment::new(moved(segment.a), moved(segment.b)), depth: left + right })
+    let moved = |p: Point, off: f64| Point::new(p.x - off * sin, p.y + off * cos);
+    // Each half tells of its middle: the ends are as far again from there.
+    let slant = (second - first) / 2.0;
+    let segment = Segment::new(moved(segment.a, first - slant), moved(segment.b, second + slant));
+    Some(Stated { kind, segment, depth: depths.as_flattened().iter().sum::<f64>() / 2.0 })
 }
 
 /// A stretch of a room's outline beyond which the map is free.

@@ -3,6 +3,7 @@
 use super::plane::{Map, Point, distance};
 use super::shapes::Shape;
 use super::symbols::{self, Leaf, Placed, leaf, swinging};
+use planform_sdk::DOOR_KINDS;
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
 
@@ -14,14 +15,14 @@ const SAME: f64 = 0.5;
 
 /// Whether doors are drawn on the layer of this name, in upper case.
 pub fn is_layer(name: &str) -> bool {
-    matches!(symbols::kind(name), Some("door" | "double-door" | "sliding-door"))
+    symbols::kind(name).is_some_and(|kind| DOOR_KINDS.contains(&kind))
 }
 
 /// The doors that leaves and their arcs show; and those of `sills`, lines that are said to be doors from jamb to jamb,
 /// that none of the leaves belongs to.
 pub fn doors(shapes: &[Shape], sills: &[[Point; 2]]) -> Vec<Placed> {
     let mut doors: Vec<Placed> = paired(leaves(shapes)).into_iter().filter_map(swinging).collect();
-    let known = RTree::bulk_load(doors.iter().map(|d| GeomWithData::new(d.centre, d.width)).collect());
+    let known = RTree::bulk_load(doors.iter().map(|d| d.centre).collect());
     let is_new = |sill: &Placed| {
         let reach = sill.width * SAME;
         let [x, y] = sill.centre;
