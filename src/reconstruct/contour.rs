@@ -4,7 +4,8 @@
 //! A border encloses the walls and obstacles in its midst, but not a courtyard: a hole too large for those lies
 //! outside.
 
-use super::raster::{Components, Mask};
+use super::raster::Mask;
+use super::runs::Components;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

@@ -30,6 +30,7 @@ mod partial;
 mod random;
 mod raster;
 mod rooms;
+mod runs;
 mod segments;
 mod shown;
 mod straight;

@@ -1,5 +1,6 @@
 //! A yes or no for every cell of a grid, and what the steps ask of it.
 
+use super::runs::{Components, Parts, Run, runs};
 use planform_sdk::{Cell, Grid, Point};
 
 /// One bit of knowledge for each cell, row by row from the bottom.
@@ -13,7 +14,9 @@ pub struct Mask {
 impl Mask {
     /// The cells of the grid for which `is` holds.
     pub fn of_grid(grid: &Grid, is: impl Fn(Cell) -> bool) -> Self {
-        let bits = grid.cells().iter().map(|&c| is(c)).collect();
+        // Asked once for each value that a cell can have.
+        let of_value: [bool; 256] = std::array::from_fn(|v| Cell::of_ros(v as u8 as i8).is_some_and(&is));
+        let bits = grid.cells().iter().map(|c| of_value[usize::from(c.to_ros().cast_unsigned())]).collect();
         Self { width: grid.width() as usize, height: grid.height() as usize, bits }
     }
 
@@ -68,12 +71,18 @@ impl Mask {
 
     /// The set cells as (column, row), row by row.
     pub fn cells(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.bits.iter().enumerate().filter(|(_, b)| **b).map(|(i, _)| (i % self.width, i / self.width))
+        self.runs().flat_map(|run| (run.from..run.to).map(move |column| (column, run.row)))
+    }
+
+    /// The runs of set cells, row by row.
+    pub fn runs(&self) -> impl Iterator<Item = Run> + '_ {
+        runs(&self.bits, self.width, true)
     }
 
     /// The box around the set cells, or `None` if there are none.
     pub fn extent(&self) -> Option<Extent> {
-        self.cells().map(Extent::of).reduce(Extent::join)
+        let ends = |run: Run| Extent { low: (run.from, run.row), high: (run.to - 1, run.row) };
+        self.runs().map(ends).reduce(Extent::join)
     }
 
     /// Sets every cell that the other mask sets.
@@ -86,37 +95,28 @@ impl Mask {
         self.with_bits(self.bits.iter().zip(&other.bits).map(|(a, b)| *a && !b).collect())
     }
 
-    /// The connected components of the set cells: for each cell the number of its component from 0, and for each
-    /// component its size in cells. `corners` joins cells that touch at a corner.
-    pub fn components(&self, corners: bool) -> Components {
-        let mut label = vec![Components::NONE; self.bits.len()];
-        let mut sizes = Vec::new();
-        let mut queue = Vec::new();
-        let steps: &[(i64, i64)] = if corners { &EIGHT } else { &EIGHT[..4] };
-        for start in 0..self.bits.len() {
-            if !self.bits[start] || label[start] != Components::NONE {
-                continue;
+    /// The set cells and all within so many cells of them, straight ahead or over corners.
+    pub fn grown(&self, reach: usize) -> Self {
+        let width = self.width;
+        let mut across = self.bits.clone();
+        let rows = across.chunks_exact_mut(width.max(1)).zip(self.bits.chunks_exact(width.max(1)));
+        for (out, row) in rows {
+            for k in 1..=reach.min(width.saturating_sub(1)) {
+                out[k..].iter_mut().zip(row).for_each(|(o, b)| *o |= b);
+                out.iter_mut().zip(&row[k..]).for_each(|(o, b)| *o |= b);
             }
-            let name = sizes.len() as u32;
-            label[start] = name;
-            queue.push(start);
-            let mut size = 0;
-            while let Some(i) = queue.pop() {
-                size += 1;
-                let (column, row) = ((i % self.width) as i64, (i / self.width) as i64);
-                for (dx, dy) in steps {
-                    if let Some(j) = self.index(column + dx, row + dy)
-                        && self.bits[j]
-                        && label[j] == Components::NONE
-                    {
-                        label[j] = name;
-                        queue.push(j);
-                    }
-                }
-            }
-            sizes.push(size);
         }
-        Components { label, sizes }
+        let mut bits = across.clone();
+        for k in (1..=reach).map(|k| (k * width).min(across.len())) {
+            bits[k..].iter_mut().zip(&across).for_each(|(o, b)| *o |= b);
+            bits.iter_mut().zip(&across[k..]).for_each(|(o, b)| *o |= b);
+        }
+        self.with_bits(bits)
+    }
+
+    /// The connected components of the set cells. `corners` joins cells that touch at a corner.
+    pub fn components(&self, corners: bool) -> Components {
+        Parts::of(&self.bits, self.width, true, corners).components(self.bits.len())
     }
 }
 
@@ -146,23 +146,6 @@ impl Extent {
         let side = |low: usize, high: usize| (high + 1 - low) as f64;
         side(self.low.0, self.high.0).hypot(side(self.low.1, self.high.1))
     }
-}
-
-/// Steps to the four neighbours, then to the four at the corners.
-const EIGHT: [(i64, i64); 8] = [(1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, 1), (1, -1), (-1, -1)];
-
-/// The connected components of a mask.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Components {
-    /// For each cell the number of its component, or [`Components::NONE`].
-    pub label: Vec<u32>,
-    /// For each component its number of cells.
-    pub sizes: Vec<usize>,
-}
-
-impl Components {
-    /// The label of a cell in no component.
-    pub const NONE: u32 = u32::MAX;
 }
 
 #[cfg(test)]
@@ -195,6 +178,17 @@ pub mod tests {
         assert_eq!((extent.low, extent.high), ((1, 0), (3, 1)));
         assert!((extent.diagonal() - 13f64.sqrt()).abs() < 1e-12);
         assert_eq!(mask(&["...."]).extent(), None);
+    }
+
+    #[test]
+    fn a_grown_mask_is_a_square_around_every_cell() {
+        let rows = ["#......", ".......", ".......", ".....#.", "......."];
+        let m = mask(&rows);
+        for reach in 0..8i64 {
+            let near = |c: i64, r: i64| m.cells().any(|(x, y)| (x as i64 - c).abs().max((y as i64 - r).abs()) <= reach);
+            let grown = m.grown(reach as usize);
+            assert!((0..5).all(|r| (0..7).all(|c| grown.get(c, r) == near(c, r))), "{reach}");
+        }
     }
 
     #[test]

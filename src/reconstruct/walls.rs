@@ -173,9 +173,13 @@ pub fn median_faces<'a>(faces: impl Iterator<Item = &'a Faces>) -> Option<Faces>
 
 /// The middle value; of an even number the mean of the middle two.
 pub fn median(values: &mut [f64]) -> Option<f64> {
-    values.sort_by(f64::total_cmp);
     let n = values.len();
-    if n == 0 { None } else { Some((values[(n - 1) / 2] + values[n / 2]) / 2.0) }
+    if n == 0 {
+        return None;
+    }
+    let (below, middle, _) = values.select_nth_unstable_by(n / 2, f64::total_cmp);
+    let before = if n % 2 == 1 { *middle } else { below.iter().copied().max_by(f64::total_cmp)? };
+    Some((before + *middle) / 2.0)
 }
 
 #[cfg(test)]

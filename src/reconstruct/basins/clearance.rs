@@ -3,6 +3,7 @@
 //! An exact Euclidean distance transform in two passes (Meijster, Roerdink and Hesselink, "A General Algorithm for
 //! Computing Distance Transforms in Linear Time", 2000).
 
+use super::super::runs::{Run, runs};
 use super::space::Space;
 
 /// The clearance of the free space.
@@ -15,46 +16,61 @@ pub struct Clearance {
 
 /// Measures the clearance of a space.
 pub fn measure(space: &Space) -> Clearance {
-    let rows = nearest_in_column(space);
+    let mut below = nearest_below(space);
     let mut metres = vec![0.0; space.free.len()];
-    let mut nearest: Vec<u32> = (0..space.free.len() as u32).collect();
+    let (width, height) = (space.width, space.height);
+    let mut runs: Vec<Run> = runs(&space.free, width, true).collect();
     let mut envelope = Envelope::default();
-    for row in 0..space.height {
-        let cells = row * space.width..(row + 1) * space.width;
-        if !space.free[cells.clone()].contains(&true) {
-            continue;
-        }
-        let away: Vec<i64> =
-            rows[cells.clone()].iter().map(|&r| (i64::from(r) - row as i64).pow(2)).collect();
-        envelope.build(&away);
-        for (column, i) in cells.clone().enumerate() {
-            if space.free[i] {
-                let (from, square) = envelope.lowest(column, &away);
+    // From the top down, so that the row above always has its final values.
+    let mut above: Vec<u32> = vec![height as u32 - 1; width];
+    let mut away: Vec<i64> = vec![0; width];
+    for row in (0..height).rev() {
+        let cells = row * width..(row + 1) * width;
+        nearest_in_column(row, &space.free[cells.clone()], &mut below[cells.clone()], &mut above);
+        while let Some(run) = runs.pop_if(|run| run.row == row) {
+            // At either end is a cell that is not free: what lies beyond is not nearer.
+            let around = run.from - 1..run.to + 1;
+            for (a, &r) in away[around.clone()].iter_mut().zip(&above[around.clone()]) {
+                *a = (i64::from(r) - row as i64).pow(2);
+            }
+            envelope.build(&away[around.clone()]);
+            for column in run.from..run.to {
+                let (from, square) = envelope.lowest(column - around.start, &away[around.clone()]);
+                let i = cells.start + column;
                 metres[i] = ((square as f64).sqrt() * space.resolution) as f32;
-                nearest[i] = rows[cells.start + from] * space.width as u32 + from as u32;
+                below[i] = above[around.start + from] * width as u32 + (around.start + from) as u32;
             }
         }
     }
-    Clearance { metres, nearest }
+    Clearance { metres, nearest: below }
 }
 
-/// For each cell the row of the nearest cell of its column that is not free. The border of a space is not free, so
-/// there always is one.
-fn nearest_in_column(space: &Space) -> Vec<u32> {
-    let (width, height) = (space.width, space.height);
-    let mut rows = vec![0u32; width * height];
-    for i in width..rows.len() {
-        rows[i] = if space.free[i] { rows[i - width] } else { (i / width) as u32 };
-    }
-    for i in (0..rows.len() - width).rev() {
-        let row = (i / width) as u32;
-        let above = rows[i + width];
-        // Below the cell `rows` is final, above it still may name a cell beneath.
-        if space.free[i] && above > row && above - row < row - rows[i] {
-            rows[i] = above;
+/// For each cell the row of the nearest cell below in its column that is not free. The border of a space is not free,
+/// so there always is one.
+fn nearest_below(space: &Space) -> Vec<u32> {
+    let width = space.width;
+    let mut rows = vec![0u32; width * space.height];
+    for row in 1..space.height {
+        let (done, rest) = rows.split_at_mut(row * width);
+        let free = &space.free[row * width..(row + 1) * width];
+        for ((r, below), free) in rest.iter_mut().zip(&done[(row - 1) * width..]).zip(free) {
+            *r = if *free { *below } else { row as u32 };
         }
     }
     rows
+}
+
+/// Of a row for each cell the row of the nearest cell of its column that is not free: on entry, `above` holds those of
+/// the row above, and `below` the nearest ones below; they become the cells' own indices.
+fn nearest_in_column(row: usize, free: &[bool], below: &mut [u32], above: &mut [u32]) {
+    let first = (row * free.len()) as u32;
+    let at = row as u32;
+    for (column, ((a, b), free)) in above.iter_mut().zip(below).zip(free).enumerate() {
+        // The row above still may name a cell beneath.
+        let is_nearer = *free && *a > at && *a - at < at - *b;
+        *a = if is_nearer { *a } else { *b };
+        *b = first + column as u32;
+    }
 }
 
 /// The lower envelope of the parabolas `away[i] + (x - i)^2`.

@@ -96,7 +96,8 @@ struct Behind {
 /// Tells partial rooms from complete ones and completes them. `main` are the building's directions.
 pub fn explore(input: &Labelled<'_>, main: &[f64], straight: &Straight, params: &Explored) -> Knowledge {
     let lines_of = |seen: &Labelled<'_>| -> Vec<Lines> {
-        frames(main).into_iter().map(|f| Lines::of(seen, f)).collect()
+        let at_walls = lines::at_walls(seen);
+        frames(main).into_iter().map(|f| Lines::of(seen, &at_walls, f)).collect()
     };
     let mut lines = lines_of(input);
     let mut runs = frontier::runs(input, &lines, params);

@@ -17,6 +17,7 @@ pub mod model;
 pub mod passage;
 mod pockets;
 pub mod regions;
+mod slopes;
 pub mod space;
 mod stated;
 pub mod watershed;
@@ -139,12 +140,13 @@ impl Cut {
         let (space, k) = (&self.space, self.space.fineness);
         let (width, height) = (grid.width() as usize, grid.height() as usize);
         let mut out = vec![0; width * height];
-        for (i, o) in out.iter_mut().enumerate() {
-            let (column, row) = ((i % width) as i64, (i / width) as i64);
-            let at = |v: i64, corner: usize| (v - corner as i64) * k as i64 + (k / 2) as i64 + 1;
-            let (x, y) = (at(column, space.corner.0), at(row, space.corner.1));
-            if (0..space.width as i64).contains(&x) && (0..space.height as i64).contains(&y) {
-                *o = values[y as usize * space.width + x as usize];
+        // Every cell of the grid has the value of the cell in its middle.
+        let rows = (1..space.height - 1).skip(k / 2).step_by(k);
+        for (row, y) in rows.zip(space.corner.1..height) {
+            let values = &values[row * space.width + 1..(row + 1) * space.width - 1];
+            let target = &mut out[y * width + space.corner.0..(y + 1) * width];
+            for (o, value) in target.iter_mut().zip(values.iter().skip(k / 2).step_by(k)) {
+                *o = *value;
             }
         }
         out

@@ -4,7 +4,8 @@
 //! thin outline. It stands in the room from which it is seen, and that room's floor goes on beneath it. What is thinner
 //! than a cabinet is the inside of a hollow wall.
 
-use super::super::raster::{Components, Mask};
+use super::super::raster::Mask;
+use super::super::runs::Parts;
 use super::space::Furniture;
 use std::collections::BTreeMap;
 
@@ -17,13 +18,11 @@ const DEPTH: f64 = 0.15;
 /// Gives the cells of cabinets, with their outlines, to the rooms that they stand in. `closed` are the cells neither
 /// free nor occupied; `label` holds the room of every cell, 0 for none.
 pub fn fill(label: &mut [u32], closed: &Mask, resolution: f64, furniture: &Furniture) {
-    let parts = closed.components(false);
+    let parts = Parts::of(closed.bits(), closed.width(), true, false);
     let mut cells: Vec<Vec<usize>> = vec![Vec::new(); parts.sizes.len()];
     let most = furniture.area / (resolution * resolution);
-    for (i, &l) in parts.label.iter().enumerate().filter(|(_, l)| **l != Components::NONE) {
-        if parts.sizes[l as usize] as f64 <= most && label[i] == 0 {
-            cells[l as usize].push(i);
-        }
+    for (run, part) in parts.runs.iter().filter(|(_, part)| parts.sizes[*part as usize] as f64 <= most) {
+        cells[*part as usize].extend(run.cells(closed.width()).filter(|&i| label[i] == 0));
     }
     let field = Field { width: closed.width(), outline: (OUTLINE / resolution).ceil().max(1.0) as u32 };
     let depth = (DEPTH / resolution).round().max(1.0) as usize;

@@ -255,16 +255,23 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
     let count = basins.count as usize + 1;
     let (mut cells, mut most, mut total) = (vec![0usize; count], vec![0.0f32; count], vec![0.0f64; count]);
     let mut border: Vec<Vec<(f64, f64)>> = vec![Vec::new(); count];
-    for (i, &l) in basins.label.iter().enumerate().filter(|(_, l)| **l != 0) {
-        let (l, clear) = (l as usize, view.clearance.metres[i]);
-        cells[l] += 1;
-        most[l] = most[l].max(clear);
-        total[l] += f64::from(clear);
-        let around = [i - 1, i + 1, i - space.width, i + space.width];
-        if around.iter().any(|&j| basins.label[j] as usize != l) {
-            let (x, y) = ((i % space.width) as f64, (i / space.width) as f64);
-            let corners = [(-0.5, -0.5), (0.5, -0.5), (-0.5, 0.5), (0.5, 0.5)];
-            border[l].extend(corners.map(|(dx, dy)| (x + dx, y + dy)));
+    for (row, labels) in basins.label.chunks_exact(space.width).enumerate() {
+        let mut from = 0;
+        for run in labels.chunk_by(|a, b| a == b) {
+            let (begin, end) = (from, from + run.len());
+            from = end;
+            let l = run[0] as usize;
+            if l == 0 {
+                continue;
+            }
+            cells[l] += run.len();
+            for &clear in &view.clearance.metres[row * space.width..][begin..end] {
+                most[l] = most[l].max(clear);
+                total[l] += f64::from(clear);
+            }
+            // Of a run only the corners at its ends can be corners of a hull.
+            let (left, right, y) = (begin as f64 - 0.5, end as f64 - 0.5, row as f64);
+            border[l].extend([(left, y - 0.5), (right, y - 0.5), (left, y + 0.5), (right, y + 0.5)]);
         }
     }
     let region = |l: usize| {
@@ -294,13 +301,21 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
 fn meetings(view: &View<'_>, label: &[u32], counts: impl Fn(usize, usize) -> bool) -> Vec<(u32, u32, u32)> {
     let width = view.space.width;
     let mut found = Vec::new();
-    for (i, &a) in label.iter().enumerate().filter(|(_, l)| **l != 0) {
-        // The last cell of a row has none to its right.
-        let right = (i + 1 < (i / width + 1) * width).then_some(i + 1);
-        for j in right.into_iter().chain([i + width]) {
-            let b = label.get(j).copied().unwrap_or(0);
-            if b != 0 && b != a && counts(i, j) {
-                found.push((a, b, i as u32));
+    for first in (0..label.len()).step_by(width) {
+        let row = &label[first..first + width];
+        // Above the last row nothing is labelled; nor is anything to the right of the last cell.
+        let above = label.get(first + width..first + 2 * width).unwrap_or(&[]);
+        let right = row[1..].iter().chain([&0]);
+        let above = above.iter().chain(std::iter::repeat(&0));
+        for (column, ((&a, &right), &above)) in row.iter().zip(right).zip(above).enumerate() {
+            if a == 0 || (right == a && above == a) {
+                continue;
+            }
+            let i = first + column;
+            for (b, j) in [(right, i + 1), (above, i + width)] {
+                if b != 0 && b != a && counts(i, j) {
+                    found.push((a, b, i as u32));
+                }
             }
         }
     }

@@ -3,7 +3,8 @@
 //! A robot's map shows table legs, boxes and people as small islands in the free space; an island that stands in line
 //! with a wall, or hangs together with one but for a cell or two, is the rest of a wall.
 
-use super::super::raster::{Components, Mask};
+use super::super::raster::Mask;
+use super::super::runs::Parts;
 use planform_sdk::Point;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -91,10 +92,10 @@ impl Space {
         let (columns, rows) = (extent.high.0 - extent.low.0 + 1, extent.high.1 - extent.low.1 + 1);
         let (width, height) = (columns * fineness + 2, rows * fineness + 2);
         let mut free = vec![false; width * height];
-        for (column, row) in mask.cells() {
-            let (x, y) = ((column - extent.low.0) * fineness + 1, (row - extent.low.1) * fineness + 1);
+        for run in mask.runs() {
+            let (x, y) = ((run.from - extent.low.0) * fineness + 1, (run.row - extent.low.1) * fineness + 1);
             for dy in 0..fineness {
-                free[(y + dy) * width + x..][..fineness].fill(true);
+                free[(y + dy) * width + x..][..run.length() * fineness].fill(true);
             }
         }
         let resolution = resolution / fineness as f64;
@@ -109,9 +110,9 @@ impl Space {
 
     /// The cell's index if it lies in the space.
     pub fn index(&self, column: f64, row: f64) -> Option<usize> {
-        let (c, r) = (column.round(), row.round());
-        let inside = c >= 0.0 && r >= 0.0 && c < self.width as f64 && r < self.height as f64;
-        inside.then(|| r as usize * self.width + c as usize)
+        let inside = |v: f64, n: usize| v > -0.5 && v < n as f64 - 0.5;
+        let is_inside = inside(column, self.width) && inside(row, self.height);
+        is_inside.then(|| (row + 0.5) as usize * self.width + (column + 0.5) as usize)
     }
 
     /// The place of a point in metres from the grid's corner, in columns and rows of cell centres.
@@ -138,13 +139,10 @@ impl Space {
         let costs =
             self.steps().map(|s| (s, if s.abs() == 1 || s.abs() == self.width as i64 { 5 } else { 7 }));
         let inside = |i: usize| !i.is_multiple_of(self.width) && !(i + 1).is_multiple_of(self.width);
-        let edge = |i: usize| costs.iter().any(|&(s, _)| label.get((i as i64 + s) as usize) == Some(&0));
-        for i in (0..label.len()).filter(|&i| label[i] != 0) {
-            distance[i] = 0;
-            if edge(i) {
-                waiting[0].push(i as u32);
-            }
+        for (d, l) in distance.iter_mut().zip(label) {
+            *d = if *l == 0 { u16::MAX } else { 0 };
         }
+        waiting[0] = self.rims(label);
         for d in 0..=limit {
             for i in std::mem::take(&mut waiting[d]) {
                 if usize::from(distance[i as usize]) != d || !inside(i as usize) {
@@ -163,6 +161,27 @@ impl Space {
         grown
     }
 
+    /// The labelled cells with an unlabelled one among their eight neighbours, rising.
+    fn rims(&self, label: &[u32]) -> Vec<u32> {
+        let width = self.width;
+        let mut rims = Vec::new();
+        // For the row below, this one and the one above: whether a cell or one beside it is unlabelled.
+        let mut bare = [vec![0u8; width], vec![0u8; width], vec![0u8; width]];
+        for row in 0..=self.height {
+            bare.rotate_left(1);
+            match label.get(row * width..(row + 1) * width) {
+                Some(cells) => mark_bare(cells, &mut bare[2]),
+                None => bare[2].fill(0),
+            }
+            let Some(row) = row.checked_sub(1) else { continue };
+            let near = bare[0].iter().zip(&bare[1]).zip(&bare[2]).map(|((a, b), c)| a | b | c);
+            let cells = label[row * width..].iter().zip(near).enumerate();
+            let rim = cells.filter(|(_, (l, near))| **l != 0 && *near != 0);
+            rims.extend(rim.map(|(column, _)| (row * width + column) as u32));
+        }
+        rims
+    }
+
     /// A mask of the space's cells.
     pub fn mask(&self, bits: Vec<bool>) -> Mask {
         Mask::new(self.width, self.height, bits)
@@ -170,10 +189,12 @@ impl Space {
 
     /// Drops free regions that are too small to be a room.
     fn drop_specks(&mut self) {
-        let regions = self.mask(self.free.clone()).components(true);
+        let regions = Parts::of(&self.free, self.width, true, true);
         let cell = self.area(1);
-        for (free, &l) in self.free.iter_mut().zip(&regions.label) {
-            *free = l != Components::NONE && regions.sizes[l as usize] as f64 * cell >= SPECK;
+        let is_speck = |part: u32| (regions.sizes[part as usize] as f64 * cell) < SPECK;
+        let specks: Vec<_> = regions.runs.iter().filter(|(_, part)| is_speck(*part)).collect();
+        for (run, _) in specks {
+            self.free[run.cells(self.width)].fill(false);
         }
     }
 
@@ -182,14 +203,26 @@ impl Space {
         let mut islands = Islands::of(self, furniture);
         islands.fix(self, fixed);
         let gone = islands.furniture(self, furniture);
-        for (free, &l) in self.free.iter_mut().zip(&islands.label) {
-            *free = *free || gone[l as usize];
+        for (run, _) in islands.parts.runs.iter().filter(|(_, part)| gone[*part as usize]) {
+            self.free[run.cells(self.width)].fill(true);
         }
     }
 }
 
+/// Marks in a row which cells are unlabelled or beside one that is.
+fn mark_bare(cells: &[u32], bare: &mut [u8]) {
+    let last = cells.len() - 1;
+    for ((b, around), here) in bare[1..].iter_mut().zip(cells.windows(3)).zip(&cells[1..]) {
+        *b = u8::from(around[0] == 0 || *here == 0 || around[2] == 0);
+    }
+    bare[0] = u8::from(cells[..2.min(cells.len())].contains(&0));
+    bare[last] = u8::from(cells[last.saturating_sub(1)..].contains(&0));
+}
+
 /// The connected components of the cells that are not free.
 struct Islands {
+    parts: Parts,
+    /// The island of each cell; for free cells their number.
     label: Vec<u32>,
     /// The cells of those that are small enough to be furniture; none of the others.
     cells: Vec<Vec<(f64, f64)>>,
@@ -200,31 +233,24 @@ struct Islands {
 
 impl Islands {
     fn of(space: &Space, furniture: &Furniture) -> Self {
-        let parts = space.mask(space.free.iter().map(|f| !f).collect()).components(true);
+        let parts = Parts::of(&space.free, space.width, false, true);
         let count = parts.sizes.len();
-        let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; count];
-        for (i, &l) in parts.label.iter().enumerate().filter(|(_, l)| **l != Components::NONE) {
-            let (c, r) = (i % space.width, i / space.width);
-            let b = &mut boxes[l as usize];
-            *b = [b[0].min(c), b[1].min(r), b[2].max(c), b[3].max(r)];
-        }
-        let side = |b: &[usize; 4]| (b[2] - b[0]).max(b[3] - b[1]) + 1;
-        let extent: Vec<f64> = boxes.iter().map(|b| side(b) as f64 * space.resolution).collect();
+        let extent: Vec<f64> = extents(&parts).map(|side| side as f64 * space.resolution).collect();
         // Free cells share one more label at the end, so that every label is an index.
-        let label: Vec<u32> =
-            parts.label.iter().map(|&l| if l == Components::NONE { count as u32 } else { l }).collect();
+        let mut label = vec![count as u32; space.free.len()];
+        for (run, part) in &parts.runs {
+            label[run.cells(space.width)].fill(*part);
+        }
         let mut small: Vec<bool> = (0..count)
             .map(|i| space.area(parts.sizes[i]) < furniture.area && extent[i] < furniture.extent)
             .collect();
         // The border of the space is no island.
         small[label[0] as usize] = false;
         let mut cells = vec![Vec::new(); count];
-        for (i, &l) in label.iter().enumerate() {
-            if small.get(l as usize) == Some(&true) {
-                cells[l as usize].push(((i % space.width) as f64, (i / space.width) as f64));
-            }
+        for (run, part) in parts.runs.iter().filter(|(_, part)| small[*part as usize]) {
+            cells[*part as usize].extend((run.from..run.to).map(|c| (c as f64, run.row as f64)));
         }
-        Self { label, cells, extent, small }
+        Self { parts, label, cells, extent, small }
     }
 
     /// Islands at these places are no furniture.
@@ -367,6 +393,16 @@ impl Islands {
         let apart = |a: f64, b: f64| ((a - b + PI).rem_euclid(TAU) - PI).abs() > FRAC_PI_3;
         found.iter().enumerate().any(|(i, &a)| found[..i].iter().any(|&b| apart(a, b)))
     }
+}
+
+/// The longer side of the box around each component, in cells.
+fn extents(parts: &Parts) -> impl Iterator<Item = usize> + use<> {
+    let mut boxes = vec![[usize::MAX, usize::MAX, 0, 0]; parts.sizes.len()];
+    for (run, part) in &parts.runs {
+        let b = &mut boxes[*part as usize];
+        *b = [b[0].min(run.from), b[1].min(run.row), b[2].max(run.to - 1), b[3].max(run.row)];
+    }
+    boxes.into_iter().map(|b| (b[2] - b[0]).max(b[3] - b[1]) + 1)
 }
 
 /// The middle of some cells, and the direction in which they are spread most.

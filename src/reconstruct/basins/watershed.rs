@@ -3,6 +3,7 @@
 //! boundary between two rooms lies on a boundary between basins.
 
 use super::clearance::Clearance;
+use super::slopes::{self, NEVER};
 use super::space::Space;
 
 /// How wide the clearance is smoothed before the cells are put in order, standard deviation in metres: two cells at
@@ -26,17 +27,20 @@ pub struct Basins {
 
 /// Cuts the space. No basin crosses the cells that `doors` marks, if it marks any.
 pub fn cut(space: &Space, clearance: &Clearance, doors: &[bool]) -> Basins {
-    let smooth = smoothed(space, &clearance.metres);
-    let mut order = falling(space, &smooth);
-    if !doors.is_empty() {
-        order.retain(|&cell| !doors[cell as usize]);
+    let mut height = smoothed(space, &clearance.metres);
+    for (i, h) in height.iter_mut().enumerate() {
+        if !space.free[i] || doors.get(i) == Some(&true) {
+            *h = NEVER;
+        }
     }
+    let slopes = slopes::climb(space, &height);
     let mut rise = RISE;
-    let mut basins = flood(space, &smooth, &order, rise);
-    while basins.count > MOST {
+    let mut union = slopes.joined(rise);
+    while union.count > MOST {
         rise *= 4.0;
-        basins = flood(space, &smooth, &order, rise);
+        union = slopes.joined(rise);
     }
+    let mut basins = number(slopes.label, &union.roots());
     share_out(space, doors, &mut basins.label);
     basins
 }
@@ -63,29 +67,47 @@ fn smoothed(space: &Space, metres: &[f32]) -> Vec<f32> {
     let kernel = gaussian(SMOOTHING / space.resolution);
     let reach = kernel.len() - 1;
     let (width, height) = (space.width, space.height);
-    let mut across = vec![0.0f32; metres.len()];
-    for row in 0..height {
-        let line = &metres[row * width..(row + 1) * width];
-        for (column, out) in across[row * width..(row + 1) * width].iter_mut().enumerate() {
-            let at = |c: i64| line[c.clamp(0, width as i64 - 1) as usize];
-            *out = kernel[0] * line[column];
-            for (k, weight) in kernel.iter().enumerate().skip(1) {
-                *out += weight * (at(column as i64 - k as i64) + at(column as i64 + k as i64));
-            }
-        }
-    }
     let mut out = vec![0.0f32; metres.len()];
-    for row in 0..height {
+    // The smoothed rows around the one that is made, each in its turn; none of what is not free.
+    let mut across: Vec<Option<Vec<f32>>> = vec![None; 2 * reach + 1];
+    let mut padded = Vec::with_capacity(width + 2 * reach);
+    for ready in 0..height + reach {
+        if let Some(line) = metres.get(ready * width..(ready + 1) * width) {
+            across[ready % (2 * reach + 1)] = smoothed_row(line, &kernel, &mut padded);
+        }
+        let Some(row) = ready.checked_sub(reach) else { continue };
         let target = &mut out[row * width..(row + 1) * width];
-        for k in -(reach as i64)..=reach as i64 {
-            let from = (row as i64 + k).clamp(0, height as i64 - 1) as usize;
-            let weight = kernel[k.unsigned_abs() as usize];
-            for (o, a) in target.iter_mut().zip(&across[from * width..(from + 1) * width]) {
+        for k in 0..=2 * reach {
+            // Beyond the space all is as on its border: not free.
+            let Some(from) = (row + k).checked_sub(reach).filter(|&r| r < height) else { continue };
+            let Some(line) = &across[from % (2 * reach + 1)] else { continue };
+            let weight = kernel[k.abs_diff(reach)];
+            for (o, a) in target.iter_mut().zip(line) {
                 *o += weight * a;
             }
         }
     }
     out
+}
+
+/// A row through a kernel; none if it is all zero. `padded` is a place to work in.
+fn smoothed_row(line: &[f32], kernel: &[f32], padded: &mut Vec<f32>) -> Option<Vec<f32>> {
+    if line.iter().all(|&v| v == 0.0) {
+        return None;
+    }
+    let reach = kernel.len() - 1;
+    padded.clear();
+    padded.resize(reach, line[0]);
+    padded.extend_from_slice(line);
+    padded.resize(line.len() + 2 * reach, line[line.len() - 1]);
+    let mut out: Vec<f32> = line.iter().map(|v| kernel[0] * v).collect();
+    for (k, weight) in kernel.iter().enumerate().skip(1) {
+        let (left, right) = (&padded[reach - k..], &padded[reach + k..]);
+        for ((o, l), r) in out.iter_mut().zip(left).zip(right) {
+            *o += weight * (l + r);
+        }
+    }
+    Some(out)
 }
 
 /// The right half of a normalised Gaussian kernel out to four standard deviations, its middle first.
@@ -96,108 +118,17 @@ pub fn gaussian(sigma: f64) -> Vec<f32> {
     half.iter().map(|w| (w / total) as f32).collect()
 }
 
-/// The free cells from the highest to the lowest; equal ones in their order on the map. A radix sort: the bits of
-/// positive floats rise with their values.
-fn falling(space: &Space, height: &[f32]) -> Vec<u32> {
-    let key = |i: u32| !height[i as usize].to_bits();
-    let mut order: Vec<u32> = (0..space.free.len() as u32).filter(|&i| space.free[i as usize]).collect();
-    let mut sorted = vec![0u32; order.len()];
-    for shift in [0, 11, 22] {
-        let digit = |i: u32| ((key(i) >> shift) & 0x7ff) as usize;
-        let mut start = vec![0usize; 0x800];
-        for &i in &order {
-            start[digit(i)] += 1;
-        }
-        let mut sum = 0;
-        for s in &mut start {
-            (sum, *s) = (sum + *s, sum);
-        }
-        for &i in &order {
-            let slot = &mut start[digit(i)];
-            sorted[*slot] = i;
-            *slot += 1;
-        }
-        std::mem::swap(&mut order, &mut sorted);
-    }
-    order
-}
-
-/// Basins that were joined point to the one that took them.
-struct Union {
-    parent: Vec<u32>,
-    peak: Vec<f32>,
-}
-
-impl Union {
-    fn root(&mut self, mut basin: u32) -> u32 {
-        while self.parent[basin as usize] != basin {
-            let above = self.parent[self.parent[basin as usize] as usize];
-            self.parent[basin as usize] = above;
-            basin = above;
-        }
-        basin
-    }
-
-    fn add(&mut self, peak: f32) -> u32 {
-        let basin = self.parent.len() as u32;
-        self.parent.push(basin);
-        self.peak.push(peak);
-        basin
-    }
-
-    /// Joins two basins that meet at this height if one of them hardly rises above it; the one that remains.
-    fn meet(&mut self, a: u32, b: u32, saddle: f32, rise: f32) -> u32 {
-        let (pa, pb) = (self.peak[a as usize], self.peak[b as usize]);
-        let low = pa.min(pb);
-        if low - saddle >= rise.max(rise * low) {
-            return a;
-        }
-        let (kept, gone) = if pb > pa { (b, a) } else { (a, b) };
-        self.parent[gone as usize] = kept;
-        kept
-    }
-}
-
-/// Gives every cell, from the highest down, to the basin of its highest neighbour; a cell without one is a peak.
-fn flood(space: &Space, height: &[f32], order: &[u32], rise: f32) -> Basins {
-    let mut label = vec![0u32; height.len()];
-    let mut union = Union { parent: vec![0], peak: vec![0.0] };
-    let steps = space.steps();
-    for &cell in order {
-        let around = steps.map(|s| (i64::from(cell) + s) as usize).map(|j| (label[j], height[j]));
-        let highest =
-            around.iter().filter(|n| n.0 != 0).fold(None, |best: Option<(u32, f32)>, n| match best {
-                Some(b) if b.1 >= n.1 => best,
-                _ => Some(*n),
-            });
-        let here = height[cell as usize];
-        let Some((name, _)) = highest else {
-            label[cell as usize] = union.add(here);
-            continue;
-        };
-        let mut basin = union.root(name);
-        for (other, _) in around.iter().filter(|n| n.0 != 0 && n.0 != name) {
-            let other = union.root(*other);
-            if other != basin {
-                basin = union.meet(basin, other, here, rise);
-            }
-        }
-        label[cell as usize] = basin;
-    }
-    number(label, union)
-}
-
-/// Numbers the basins from 1 in the order in which the map shows them.
-fn number(mut label: Vec<u32>, mut union: Union) -> Basins {
-    let mut names = vec![0u32; union.parent.len()];
+/// Numbers the basins from 1 in the order in which the map shows them; `roots` are the basins that slopes became.
+fn number(mut label: Vec<u32>, roots: &[u32]) -> Basins {
+    let mut names = vec![0u32; roots.len()];
     let mut count = 0;
     for l in label.iter_mut().filter(|l| **l != 0) {
-        let root = union.root(*l) as usize;
-        if names[root] == 0 {
+        let name = &mut names[roots[*l as usize] as usize];
+        if *name == 0 {
             count += 1;
-            names[root] = count;
+            *name = count;
         }
-        *l = names[root];
+        *l = *name;
     }
     Basins { label, count }
 }
@@ -224,15 +155,5 @@ mod tests {
         assert_eq!(at(3, 11), at(15, 11));
         let cells = basins.label.iter().filter(|&&l| l != 0).count();
         assert_eq!(cells, space.free.iter().filter(|&&f| f).count());
-    }
-
-    #[test]
-    fn equal_heights_keep_their_order() {
-        let space = space(&["...."], 1.0);
-        let mut height = vec![0.0; space.free.len()];
-        let row = space.width + 1;
-        height[row..row + 4].copy_from_slice(&[0.5, 1.0, 0.5, 2.0]);
-        let row = row as u32;
-        assert_eq!(falling(&space, &height), [row + 3, row + 1, row, row + 2]);
     }
 }

@@ -88,7 +88,7 @@ fn join(tracks: &mut [Around], a: (usize, usize), b: (usize, usize), most: f64) 
     }
     let (line, bearing, to) =
         if p.sides >= q.sides { (p.line, p.bearing, b) } else { (q.line, q.bearing, a) };
-    let turned = Carrier { angle: line.angle + PI, offset: -line.offset };
+    let turned = Carrier::new(line.angle + PI, -line.offset);
     let shorter = &mut tracks[to.0].track.pieces[to.1];
     (shorter.line, shorter.bearing) = (turned, bearing);
 }

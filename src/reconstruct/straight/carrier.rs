@@ -1,6 +1,5 @@
 //! The straight line that carries a piece of an outline.
 
-use super::super::collinear::offset;
 use planform_sdk::{Point, Segment};
 
 /// A directed line: the points p with `p.y * cos(angle) - p.x * sin(angle) = offset`.
@@ -10,12 +9,26 @@ pub struct Carrier {
     pub angle: f64,
     /// Signed distance from the origin, metres.
     pub offset: f64,
+    sin: f64,
+    cos: f64,
 }
 
 impl Carrier {
+    /// The line of this angle at this distance from the origin.
+    pub fn new(angle: f64, offset: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { angle, offset, sin, cos }
+    }
+
     /// The line through a point.
     pub fn through(p: Point, angle: f64) -> Self {
-        Self { angle, offset: offset(p, angle) }
+        let line = Self::new(angle, 0.0);
+        line.moved(line.side(p))
+    }
+
+    /// The line moved to the left, metres.
+    pub fn moved(self, left: f64) -> Self {
+        Self { offset: self.offset + left, ..self }
     }
 
     /// The line of a segment.
@@ -25,19 +38,18 @@ impl Carrier {
 
     /// Signed distance of a point, positive to the left, metres.
     pub fn side(&self, p: Point) -> f64 {
-        offset(p, self.angle) - self.offset
+        p.y * self.cos - p.x * self.sin - self.offset
     }
 
     /// Position of a point's projection, metres.
     pub fn along(&self, p: Point) -> f64 {
-        p.x * self.angle.cos() + p.y * self.angle.sin()
+        p.x * self.cos + p.y * self.sin
     }
 
     /// The point at this position, moved to the left, metres.
     pub fn point(&self, along: f64, left: f64) -> Point {
-        let (sin, cos) = self.angle.sin_cos();
         let left = self.offset + left;
-        Point::new(along * cos - left * sin, along * sin + left * cos)
+        Point::new(along * self.cos - left * self.sin, along * self.sin + left * self.cos)
     }
 
     /// The nearest point on the line.

@@ -109,13 +109,17 @@ fn boundaries(input: &Labelled<'_>) -> BTreeMap<[u32; 2], Vec<Vec<Corner>>> {
             of_pair.entry(to).or_default().push(from);
         }
     };
-    for i in 0..input.label.len() {
-        let (c, r) = ((i % input.width()) as i64, (i / input.width()) as i64);
-        let room = |c, r| input.room(input.label, c, r);
-        let here = room(c, r);
-        if here != 0 {
-            add(here, room(c + 1, r), (c + 1, r), (c + 1, r + 1));
-            add(here, room(c, r + 1), (c, r + 1), (c + 1, r + 1));
+    let width = input.width();
+    let room = |l: &u32| if *l as usize <= input.rooms { *l } else { 0 };
+    for (r, row) in input.label.chunks_exact(width.max(1)).enumerate() {
+        let right = row[1..].iter().chain([&0]);
+        let above = input.label[(r + 1) * width..].iter().chain(std::iter::repeat(&0));
+        for (c, ((here, right), above)) in row.iter().zip(right).zip(above).enumerate() {
+            if *here != 0 && (here != right || here != above) {
+                let (c, r) = (c as i64, r as i64);
+                add(room(here), room(right), (c + 1, r), (c + 1, r + 1));
+                add(room(here), room(above), (c, r + 1), (c + 1, r + 1));
+            }
         }
     }
     sides.into_iter().map(|(rooms, sides)| (rooms, connected(sides))).collect()
@@ -174,7 +178,7 @@ impl<'a> Look<'a> {
 
     fn cell(&self, along: f64, left: f64) -> Corner {
         let p = self.line.point(along, left);
-        ((p.x / self.input.resolution).floor() as i64, (p.y / self.input.resolution).floor() as i64)
+        self.input.cell(p)
     }
 
     /// Where the wall begins from the middle in a sense; where the boundary ends if there is none near.

@@ -27,7 +27,7 @@ mod walls;
 
 use super::openings::Gap;
 use super::raster::Mask;
-use planform_sdk::{Polygon, Segment, StatedOpening};
+use planform_sdk::{Point, Polygon, Segment, StatedOpening};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -145,11 +145,22 @@ impl Labelled<'_> {
         self.free.width()
     }
 
+    /// The column and row of the cell that holds a point.
+    fn cell(&self, p: Point) -> (i64, i64) {
+        (floor(p.x / self.resolution), floor(p.y / self.resolution))
+    }
+
     /// The label of a cell; 0 for none and outside.
     fn room(&self, label: &[u32], column: i64, row: i64) -> u32 {
         let at = self.free.index(column, row).and_then(|i| label.get(i));
         at.copied().filter(|&l| l as usize <= self.rooms).unwrap_or(0)
     }
+}
+
+/// The largest whole number that is not larger; without a call of the mathematical library.
+pub fn floor(v: f64) -> i64 {
+    let towards_zero = v as i64;
+    towards_zero - i64::from(v < towards_zero as f64)
 }
 
 /// The building's main directions: angles in [0, pi), by rising angle.

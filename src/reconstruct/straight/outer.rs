@@ -149,6 +149,6 @@ impl Looks<'_> {
     }
 
     fn cell(&self, p: Point) -> (i64, i64) {
-        ((p.x / self.input.resolution).floor() as i64, (p.y / self.input.resolution).floor() as i64)
+        self.input.cell(p)
     }
 }

@@ -101,9 +101,9 @@ impl Track {
 
     /// The line of this angle through the median of the offsets of the sides' middles.
     pub fn through_median(&self, from: usize, sides: usize, angle: f64) -> Carrier {
-        let base = Carrier { angle, offset: 0.0 };
+        let base = Carrier::new(angle, 0.0);
         let mut offsets: Vec<f64> = self.middles(from, sides).map(|p| base.side(p)).collect();
-        Carrier { angle, offset: super::super::walls::median(&mut offsets).unwrap_or(0.0) }
+        base.moved(super::super::walls::median(&mut offsets).unwrap_or(0.0))
     }
 
     /// Joins neighbours as long as one line within the tolerance does for both; the best pair of a round first.

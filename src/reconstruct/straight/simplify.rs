@@ -83,10 +83,8 @@ fn mean(a: &Piece, b: &Piece) -> Carrier {
     }
     let turn = (short.line.angle - long.line.angle).sin();
     let share = m.min(n) / (m + n).max(1.0);
-    Carrier {
-        angle: long.line.angle + turn * share,
-        offset: long.line.offset * (1.0 - share) + short.line.offset * share,
-    }
+    let offset = long.line.offset * (1.0 - share) + short.line.offset * share;
+    Carrier::new(long.line.angle + turn * share, offset)
 }
 
 /// Both, prolonged to their corner, if what is between lies along them.

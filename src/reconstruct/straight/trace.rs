@@ -1,6 +1,7 @@
 //! The borders of a room's cells.
 
-use super::super::raster::{Components, Mask};
+use super::super::raster::Mask;
+use super::super::runs::Parts;
 use super::{Labelled, Straight};
 use planform_sdk::Point;
 
@@ -19,11 +20,16 @@ pub type Ring = Vec<(i64, i64)>;
 /// The lowest and highest column and row of each label.
 pub fn boxes(input: &Labelled<'_>, label: &[u32]) -> Vec<Option<[i64; 4]>> {
     let mut boxes: Vec<Option<[i64; 4]>> = vec![None; input.rooms];
-    for (i, &l) in label.iter().enumerate() {
-        let Some(found) = (l as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else { continue };
-        let (c, r) = ((i % input.width()) as i64, (i / input.width()) as i64);
-        let b = found.get_or_insert([c, r, c, r]);
-        *b = [b[0].min(c), b[1].min(r), b[2].max(c), b[3].max(r)];
+    for (row, cells) in label.chunks_exact(input.width().max(1)).enumerate() {
+        let mut column = 0;
+        for run in cells.chunk_by(|a, b| a == b) {
+            let (from, to) = (column as i64, (column + run.len() - 1) as i64);
+            column += run.len();
+            let Some(found) = (run[0] as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else { continue };
+            let row = row as i64;
+            let b = found.get_or_insert([from, row, to, row]);
+            *b = [b[0].min(from), b[1].min(row), b[2].max(to), b[3].max(row)];
+        }
     }
     boxes
 }
@@ -64,12 +70,15 @@ impl Cells {
 
     /// The rings around the cells: one counter-clockwise, then clockwise ones around holes.
     pub fn rings(&self) -> Vec<Ring> {
-        let mut seen = vec![false; self.mask.bits().len()];
+        let (width, bits) = (self.mask.width(), self.mask.bits());
+        let mut seen = vec![false; bits.len()];
         let mut rings = Vec::new();
-        for (c, r) in self.mask.cells() {
-            let start = (c as i64, r as i64);
-            if !self.mask.get(start.0, start.1 - 1) && !seen[r * self.mask.width() + c] {
-                rings.push(self.follow(start, &mut seen));
+        for run in self.mask.runs() {
+            let cells = run.cells(width);
+            for i in cells.filter(|&i| i < width || !bits[i - width]) {
+                if !seen[i] {
+                    rings.push(self.follow(((i - run.row * width) as i64, run.row as i64), &mut seen));
+                }
             }
         }
         rings
@@ -111,28 +120,32 @@ impl Cells {
 
 /// The largest component of cells that touch by their sides; of equal ones the first.
 fn largest(mask: &Mask) -> Mask {
-    let parts = mask.components(false);
-    let best = (0..parts.sizes.len()).rev().max_by_key(|&i| parts.sizes[i]);
-    let keep = parts.label.iter().map(|&l| l != Components::NONE && Some(l as usize) == best);
-    mask.with_bits(keep.collect())
+    let parts = Parts::of(mask.bits(), mask.width(), true, false);
+    let Some(best) = (0..parts.sizes.len()).rev().max_by_key(|&i| parts.sizes[i]) else { return mask.clone() };
+    let mut bits = vec![false; mask.bits().len()];
+    for (run, _) in parts.runs.iter().filter(|(_, part)| *part as usize == best) {
+        bits[run.cells(mask.width())].fill(true);
+    }
+    mask.with_bits(bits)
 }
 
 /// Fills holes of at most this many cells in which no cell is taken.
 fn fill(mask: &Mask, most: usize, taken: impl Fn(usize) -> bool) -> Mask {
-    let outside = mask.with_bits(mask.bits().iter().map(|b| !b).collect());
-    let holes = outside.components(true);
+    let holes = Parts::of(mask.bits(), mask.width(), false, true);
     // The mask's border is unset: the first component is the outside.
     let mut keep: Vec<bool> = holes.sizes.iter().map(|&size| size > most).collect();
     if let Some(first) = keep.first_mut() {
         *first = true;
     }
-    for (i, &hole) in holes.label.iter().enumerate() {
-        if hole != Components::NONE && !keep[hole as usize] && taken(i) {
-            keep[hole as usize] = true;
-        }
+    for (run, hole) in &holes.runs {
+        let keep = &mut keep[*hole as usize];
+        *keep = *keep || run.cells(mask.width()).any(&taken);
     }
-    let set = |(i, &b): (usize, &bool)| b || !keep[holes.label[i] as usize];
-    mask.with_bits(mask.bits().iter().enumerate().map(set).collect())
+    let mut bits = mask.bits().to_vec();
+    for (run, _) in holes.runs.iter().filter(|(_, hole)| !keep[*hole as usize]) {
+        bits[run.cells(mask.width())].fill(true);
+    }
+    mask.with_bits(bits)
 }
 
 /// Unsets one of every two cells that touch only at a corner, and of those that do then. The border is unset.
@@ -142,8 +155,11 @@ fn cut_saddles(bits: &mut [bool], width: usize) {
         (a == d && b == c && a != b).then_some(if a { i + width + 1 } else { i + width })
     };
     let last = bits.len().saturating_sub(width + 1);
+    let mut open = vec![];
     for start in 0..last {
-        let mut open = vec![];
+        if bits[start] == bits[start + 1] {
+            continue;
+        }
         open.extend(saddle(bits, start));
         while let Some(cut) = open.pop() {
             bits[cut] = false;

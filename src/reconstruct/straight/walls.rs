@@ -143,16 +143,14 @@ fn shares(wall: &StraightWall, input: &Labelled<'_>) -> (f64, f64) {
     let (mut obstacle, mut free) = (0, 0);
     for i in 0..count {
         let along = line.along(wall.line.a) + (i as f64 + 0.5) * wall.line.length() / count as f64;
-        let cell = |left: f64| {
-            let p = line.point(along, left);
-            ((p.x / step).floor() as i64, (p.y / step).floor() as i64)
-        };
+        let cell = |left: f64| input.cell(line.point(along, left));
         let stands = |k: i64| {
             let (c, r) = cell(k as f64 * step / 2.0);
             input.obstacles.get(c, r)
         };
         let (c, r) = cell(0.0);
-        obstacle += usize::from((-reach..=reach).any(stands));
+        // From the middle on: it most likely stands there.
+        obstacle += usize::from((0..=reach).any(|k| stands(k) || stands(-k)));
         free += usize::from(input.free.get(c, r));
     }
     (obstacle as f64 / count as f64, free as f64 / count as f64)

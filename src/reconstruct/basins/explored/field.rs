@@ -1,6 +1,6 @@
 //! The raster seen along a direction.
 
-use super::super::super::straight::Labelled;
+use super::super::super::straight::{Labelled, floor};
 use planform_sdk::Point;
 use std::collections::BTreeSet;
 
@@ -113,7 +113,7 @@ impl Field<'_> {
     /// What a place in the frame shows.
     pub fn at(&self, place: [f64; 2]) -> Shown {
         let p = self.frame.point(place);
-        let cell = |v: f64| (v / self.input.resolution).floor() as i64;
+        let cell = |v: f64| floor(v / self.input.resolution);
         self.cell(cell(p.x), cell(p.y))
     }
 

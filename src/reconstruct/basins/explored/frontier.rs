@@ -38,11 +38,31 @@ fn ends(cells: &[usize], width: usize) -> [usize; 2] {
 pub fn runs(input: &Labelled<'_>, lines: &[Lines], params: &Explored) -> Vec<Run> {
     let looks = Looks { input, depth: (params.depth / input.resolution).ceil().max(1.0) as i64 };
     let is_open = |i: usize| looks.is_open(i) && !is_grazed(input, i, lines, params);
-    let open: Vec<bool> = (0..input.label.len()).map(is_open).collect();
+    let mut open = vec![false; input.label.len()];
+    for i in borders(input) {
+        open[i] = is_open(i);
+    }
     let reach = (params.gap / input.resolution).floor().max(1.0) as i64;
     let mut runs = connected(input, &open, reach);
     runs.sort_by_key(|r| r.room);
     runs
+}
+
+/// The free cells with a cell of no room beside, or at the end of the grid, rising.
+fn borders<'a>(input: &'a Labelled<'_>) -> impl Iterator<Item = usize> + 'a {
+    let (width, label) = (input.free.width(), input.label);
+    let last = input.free.height() - 1;
+    let is_border = move |i: usize| {
+        let beside = label[i - 1] == 0 || label[i + 1] == 0;
+        beside || label[i - width] == 0 || label[i + width] == 0
+    };
+    input.free.runs().flat_map(move |run| {
+        let at_end = run.row == 0 || run.row == last;
+        run.cells(width).zip(run.from..).filter_map(move |(i, column)| {
+            let at_end = at_end || column == 0 || column + 1 == width;
+            (at_end || is_border(i)).then_some(i)
+        })
+    })
 }
 
 /// Whether a cell is open only where the room has a wall: far along a corridor few rays meet it.

@@ -1,9 +1,8 @@
 //! The lines that close rooms: where floors end at walls.
 
-use super::super::super::straight::Labelled;
+use super::super::super::straight::{Labelled, floor};
 use super::Explored;
 use super::field::{Field, Frame, Shown, Side};
-use std::collections::BTreeMap;
 
 /// A wall stands within this many cells of its floor.
 const BESIDE: f64 = 2.0;
@@ -38,11 +37,11 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Finds the faces.
-    pub fn of(input: &Labelled<'_>, frame: Frame) -> Self {
+    /// Finds the faces; `at_walls` are the cells of [`at_walls`].
+    pub fn of(input: &Labelled<'_>, at_walls: &[usize], frame: Frame) -> Self {
         let field = Field { input, label: input.label, frame };
         let mut faces: [Vec<Face>; 4] = Default::default();
-        for cell in (0..input.label.len()).filter(|&c| is_at_wall(input, c)) {
+        for &cell in at_walls {
             let place = field.middle(cell);
             for side in Side::ALL {
                 let mut out = place;
@@ -66,11 +65,19 @@ impl Lines {
         Self { frame, resolution: input.resolution, faces, sharpness }
     }
 
+    /// The faces of a side from one position to another.
+    fn between(&self, side: Side, from: f64, to: f64) -> &[Face] {
+        let faces = &self.faces[side.index()];
+        let (from, to) = (from.min(to), from.max(to));
+        &faces[faces.partition_point(|f| f.at < from)..faces.partition_point(|f| f.at <= to)]
+    }
+
     /// The wall line of a room on a side that is nearest to `before` from inside, in the sense of the side.
     pub fn own(&self, room: usize, side: Side, before: f64, aside: [f64; 2]) -> Option<f64> {
         let width = ALONE.max(2.0 * self.resolution);
         let near = |f: &&Face| f.room == room && f.aside > aside[0] && f.aside < aside[1];
-        let outs = self.faces[side.index()].iter().filter(near).map(|f| f.at * side.sense());
+        let faces = self.between(side, before * side.sense(), (before - WAY) * side.sense());
+        let outs = faces.iter().filter(near).map(|f| f.at * side.sense());
         let mut outs: Vec<f64> = outs.filter(|&o| o < before && o > before - WAY).collect();
         outs.sort_by(|a, b| b.total_cmp(a));
         let count = |i: usize| outs[i..].iter().take_while(|&&o| o >= outs[i] - width).count();
@@ -109,7 +116,8 @@ impl Lines {
             let out = (f.at - from) * sense;
             f.aside > low && f.aside < high && out > -width && out < params.reach
         };
-        let mut outs: Vec<f64> = self.faces[side.index()].iter().filter(near).map(|f| f.at * sense).collect();
+        let faces = self.between(side, from - 2.0 * width * sense, from + (params.reach + width) * sense);
+        let mut outs: Vec<f64> = faces.iter().filter(near).map(|f| f.at * sense).collect();
         outs.sort_by(f64::total_cmp);
         let need = (params.support / self.resolution).ceil() as usize;
         // The first place with enough faces, and of those around it the one with most.
@@ -126,29 +134,23 @@ pub fn sharpest(lines: &[Lines], room: usize) -> Option<&Lines> {
     lines.iter().max_by_key(|l| l.sharpness.get(room).copied().unwrap_or(0))
 }
 
-/// For each room the sum of the squared numbers of faces on each line.
+/// For each room the sum of the squared numbers of faces on each line. The faces of each side are in order.
 fn sharpness(faces: &[Vec<Face>; 4], input: &Labelled<'_>) -> Vec<usize> {
     let width = ALONE.max(2.0 * input.resolution);
-    let mut counts: BTreeMap<(usize, usize, i64), usize> = BTreeMap::new();
-    for (side, faces) in faces.iter().enumerate() {
-        for f in faces {
-            *counts.entry((f.room, side, (f.at / width).floor() as i64)).or_default() += 1;
+    let line = |f: &Face| floor(f.at / width);
+    let (mut sharpness, mut counts) = (vec![0; input.rooms], vec![0usize; input.rooms]);
+    for on_line in faces.iter().flat_map(|faces| faces.chunk_by(|a, b| line(a) == line(b))) {
+        on_line.iter().for_each(|f| counts[f.room] += 1);
+        for f in on_line {
+            sharpness[f.room] += std::mem::take(&mut counts[f.room]).pow(2);
         }
-    }
-    let mut sharpness = vec![0; input.rooms];
-    for ((room, ..), count) in counts.into_iter().filter(|c| c.0.0 < input.rooms) {
-        sharpness[room] += count * count;
     }
     sharpness
 }
 
-/// Whether a cell of a room has an obstacle within two cells.
-fn is_at_wall(input: &Labelled<'_>, cell: usize) -> bool {
-    let label = input.label[cell] as usize;
-    if label == 0 || label > input.rooms {
-        return false;
-    }
-    let width = input.free.width();
-    let (c, r) = ((cell % width) as i64, (cell / width) as i64);
-    (-2..=2).any(|dy| (-2..=2).any(|dx| input.obstacles.get(c + dx, r + dy)))
+/// The cells of rooms with an obstacle within two cells, rising.
+pub fn at_walls(input: &Labelled<'_>) -> Vec<usize> {
+    let near = input.obstacles.grown(2);
+    let is_room = |i: &usize| (1..=input.rooms).contains(&(input.label[*i] as usize));
+    near.runs().flat_map(|run| run.cells(near.width())).filter(is_room).collect()
 }
