@@ -248,17 +248,25 @@ pub fn clean(mut ring: Vec<Point>) -> Vec<Point> {
     if ring.len() > 1 && ring.first() == ring.last() {
         ring.pop();
     }
-    let mut i = 0;
-    while ring.len() > 2 && i < ring.len() {
-        let n = ring.len();
-        let (a, b, c) = (ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]);
-        if !bends(a, b, c) || b.distance(c) < SHORTEST {
-            ring.remove(i);
-            i = i.saturating_sub(2);
+    // What is kept so far is `..kept`, what was not looked at yet `next..`; between them is a gap.
+    let (mut kept, mut next, end) = (0, 0, ring.len());
+    while next < end && kept + end - next > 2 {
+        let before = if kept > 0 { ring[kept - 1] } else { ring[end - 1] };
+        let after = if next + 1 < end { ring[next + 1] } else { ring[0] };
+        let here = ring[next];
+        if !bends(before, here, after) || here.distance(after) < SHORTEST {
+            next += 1;
+            // The two before it have new neighbours.
+            for _ in 0..kept.min(2) {
+                (kept, next) = (kept - 1, next - 1);
+                ring[next] = ring[kept];
+            }
         } else {
-            i += 1;
+            ring[kept] = here;
+            (kept, next) = (kept + 1, next + 1);
         }
     }
+    ring.drain(kept..next);
     ring
 }
 

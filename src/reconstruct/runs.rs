@@ -4,6 +4,8 @@
 //! Runs that touch are joined from row to row by union-find (Rosenfeld and Pfaltz, "Sequential Operations in Digital
 //! Picture Processing", 1966, on runs).
 
+use std::ops::Range;
+
 /// A stretch of cells in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Run {
@@ -17,7 +19,7 @@ pub struct Run {
 
 impl Run {
     /// The indices of its cells where a row has `width` of them.
-    pub fn cells(&self, width: usize) -> std::ops::Range<usize> {
+    pub fn cells(&self, width: usize) -> Range<usize> {
         self.row * width + self.from..self.row * width + self.to
     }
 
@@ -51,6 +53,69 @@ fn find(cells: &[bool], value: bool) -> Option<usize> {
     let skipped = blocks.iter().take_while(|b| none(b)).count();
     let block = blocks.get(skipped).map_or(rest, |b| &b[..]);
     Some(skipped * BLOCK + block.iter().position(|&c| c == value)?)
+}
+
+/// The runs of equal labels in a row, as ranges of columns, with their labels.
+pub fn label_runs(labels: &[u32]) -> impl Iterator<Item = (Range<usize>, u32)> + '_ {
+    let mut at = 0;
+    std::iter::from_fn(move || {
+        let (from, &label) = (at, labels.get(at)?);
+        at += while_equal(&labels[from..], label);
+        Some((from..at, label))
+    })
+}
+
+/// How many labels from the begin on are this one.
+fn while_equal(labels: &[u32], label: u32) -> usize {
+    let (blocks, rest) = labels.as_chunks::<BLOCK>();
+    let all = |block: &[u32; BLOCK]| block.iter().fold(0, |differing, l| differing | (l ^ label)) == 0;
+    let skipped = blocks.iter().take_while(|b| all(b)).count();
+    let block = blocks.get(skipped).map_or(rest, |b| &b[..]);
+    skipped * BLOCK + block.iter().position(|&l| l != label).unwrap_or(block.len())
+}
+
+/// Where a label meets another one to its right or above it, row by row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Meeting {
+    /// Its cell.
+    pub cell: usize,
+    /// The other one's cell.
+    pub other: usize,
+}
+
+/// Calls for all pairs of cells side by side, or one above the other, that have different labels, none of them 0; by
+/// rising cell, the right neighbour first.
+pub fn meetings(labels: &[u32], width: usize, mut call: impl FnMut(Meeting)) {
+    let runs = |row: usize| {
+        let cells = labels.get(row * width..(row + 1) * width).unwrap_or(&[]);
+        label_runs(cells).filter(|(_, l)| *l != 0).collect::<Vec<_>>()
+    };
+    let mut here = runs(0);
+    for row in 0..labels.len() / width.max(1) {
+        let first = row * width;
+        let above = runs(row + 1);
+        let mut beyond = 0;
+        for (i, (run, label)) in here.iter().enumerate() {
+            let right = here.get(i + 1).is_some_and(|(next, _)| next.start == run.end);
+            let last = first + run.end - 1;
+            let mut told = !right;
+            beyond += above[beyond..].iter().take_while(|(a, _)| a.end <= run.start).count();
+            let meeting = above[beyond..].iter().take_while(|(a, _)| a.start < run.end);
+            for (a, _) in meeting.filter(|(_, l)| l != label) {
+                for cell in first + a.start.max(run.start)..first + a.end.min(run.end) {
+                    if cell == last && !told {
+                        told = true;
+                        call(Meeting { cell, other: cell + 1 });
+                    }
+                    call(Meeting { cell, other: cell + width });
+                }
+            }
+            if !told {
+                call(Meeting { cell: last, other: last + 1 });
+            }
+        }
+        here = above;
+    }
 }
 
 /// The connected components of the cells of one value, as runs.
@@ -193,6 +258,22 @@ mod tests {
         ) {
             let found = Parts::of(&bits, width, true, corners).components(bits.len());
             prop_assert_eq!(found, walked(&bits, width, corners));
+        }
+
+        #[test]
+        fn meetings_are_where_labels_differ(labels in prop::collection::vec(0..3u32, 0..300), width in 1..40usize) {
+            let labels = &labels[..labels.len() / width * width];
+            let mut found = vec![];
+            meetings(labels, width, |m| found.push(m));
+            let label = |i: usize| labels.get(i).copied().unwrap_or(0);
+            let mut expected = vec![];
+            for cell in (0..labels.len()).filter(|&i| label(i) != 0) {
+                let right = Some(cell + 1).filter(|r| r % width != 0);
+                let beside = right.into_iter().chain([cell + width]);
+                let differing = beside.filter(|&other| label(other) != 0 && label(other) != label(cell));
+                expected.extend(differing.map(|other| Meeting { cell, other }));
+            }
+            prop_assert_eq!(found, expected);
         }
 
         #[test]

@@ -30,8 +30,10 @@ pub fn reconstruct(
     }
     let rooms = run.rooms(&cut, &scene.grid, &map);
     let stated = shown.openings.as_deref().unwrap_or_default();
-    let known = run.known(&map, &rooms, scene.grid.resolution(), stated);
-    let plan = run.plan(&map, &known, scene.grid.resolution(), stated);
+    let (known, main) = run.known(&map, &rooms, scene.grid.resolution(), stated);
+    // Rooms that were not completed run as they did.
+    let main = Some(main).filter(|_| known.label == rooms.label && stated.is_empty());
+    let plan = run.plan(&map, &known, main, scene.grid.resolution(), stated);
     Ok(layout(
         params,
         &Found {
@@ -125,8 +127,14 @@ impl Run<'_> {
         if stated.is_empty() { params } else { Straight { tolerance: 0.0, ..params } }
     }
 
-    /// Which rooms are partial, and all completed.
-    fn known(&mut self, map: &Map, rooms: &Rooms, resolution: f64, stated: &[StatedOpening]) -> Knowledge {
+    /// Which rooms are partial, and all completed; and the building's directions.
+    fn known(
+        &mut self,
+        map: &Map,
+        rooms: &Rooms,
+        resolution: f64,
+        stated: &[StatedOpening],
+    ) -> (Knowledge, Vec<f64>) {
         self.observer.step(Step::Partial);
         let Map { free, obstacles } = map;
         let labelled =
@@ -135,15 +143,25 @@ impl Run<'_> {
         let main = straight::directions(&labelled, straight);
         let known = explored::explore(&labelled, &main, straight, &self.explored(stated));
         self.draw(Step::Partial, || drawings::labels(&everywhere(free), &known.label));
-        known
+        (known, main)
     }
 
-    fn plan(&mut self, map: &Map, known: &Knowledge, resolution: f64, stated: &[StatedOpening]) -> Plan {
+    /// `main` are the building's directions if they are known.
+    fn plan(
+        &mut self,
+        map: &Map,
+        known: &Knowledge,
+        main: Option<Vec<f64>>,
+        resolution: f64,
+        stated: &[StatedOpening],
+    ) -> Plan {
         self.observer.step(Step::Walls);
         let Map { free, obstacles } = map;
         let labelled =
             Labelled { resolution, label: &known.label, rooms: known.partial.len(), free, obstacles, stated };
-        let plan = straight::plan(&labelled, &self.straight(stated));
+        let straight = self.straight(stated);
+        let main = main.unwrap_or_else(|| straight::directions(&labelled, &straight));
+        let plan = straight::plan(&labelled, &main, &straight);
         self.draw(Step::Walls, || {
             let rooms = plan.rooms.iter().zip(&known.partial);
             let floors: Vec<_> =

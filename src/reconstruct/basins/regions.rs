@@ -1,5 +1,6 @@
 //! The graph of regions: basins of the free space that grow together to rooms, and the boundaries between them.
 
+use super::super::runs::{label_runs, meetings};
 use super::hull::Hull;
 use super::passage::{Passage, View};
 use super::stated::Stated;
@@ -94,19 +95,25 @@ impl<'a> Regions<'a> {
             shows_doors: false,
             states_openings: false,
         };
-        for (a, b, cell) in meetings(view, &basins.label, |_, _| true) {
-            graph.boundaries.entry(pair(a, b)).or_default().cells.push(cell);
-        }
+        let label = &basins.label;
+        meetings(label, view.space.width, |m| {
+            let beside = pair(label[m.cell], label[m.other]);
+            graph.boundaries.entry(beside).or_default().cells.push(m.cell as u32);
+        });
         let pairs: Vec<(u32, u32)> = graph.boundaries.keys().copied().collect();
         for (a, b) in pairs {
             graph.regions[a as usize].beside.insert(b);
             graph.regions[b as usize].beside.insert(a);
         }
         let grown = view.space.grown(&basins.label, WALL);
-        for (a, b, _) in meetings(view, &grown, |i, j| !view.space.free[i] || !view.space.free[j]) {
-            *graph.regions[a as usize].walls.entry(b).or_default() += view.space.resolution;
-            *graph.regions[b as usize].walls.entry(a).or_default() += view.space.resolution;
-        }
+        meetings(&grown, view.space.width, |m| {
+            if view.space.free[m.cell] && view.space.free[m.other] {
+                return;
+            }
+            for (a, b) in [(grown[m.cell], grown[m.other]), (grown[m.other], grown[m.cell])] {
+                *graph.regions[a as usize].walls.entry(b).or_default() += view.space.resolution;
+            }
+        });
         graph
     }
 
@@ -256,21 +263,15 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
     let (mut cells, mut most, mut total) = (vec![0usize; count], vec![0.0f32; count], vec![0.0f64; count]);
     let mut border: Vec<Vec<(f64, f64)>> = vec![Vec::new(); count];
     for (row, labels) in basins.label.chunks_exact(space.width).enumerate() {
-        let mut from = 0;
-        for run in labels.chunk_by(|a, b| a == b) {
-            let (begin, end) = (from, from + run.len());
-            from = end;
-            let l = run[0] as usize;
-            if l == 0 {
-                continue;
-            }
+        for (run, l) in label_runs(labels).filter(|(_, l)| *l != 0) {
+            let l = l as usize;
             cells[l] += run.len();
-            for &clear in &view.clearance.metres[row * space.width..][begin..end] {
+            for &clear in &view.clearance.metres[row * space.width..][run.clone()] {
                 most[l] = most[l].max(clear);
                 total[l] += f64::from(clear);
             }
             // Of a run only the corners at its ends can be corners of a hull.
-            let (left, right, y) = (begin as f64 - 0.5, end as f64 - 0.5, row as f64);
+            let (left, right, y) = (run.start as f64 - 0.5, run.end as f64 - 0.5, row as f64);
             border[l].extend([(left, y - 0.5), (right, y - 0.5), (left, y + 0.5), (right, y + 0.5)]);
         }
     }
@@ -294,32 +295,6 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
     };
     // Basins are numbered from 1; the first region stays empty.
     std::iter::once(Region::default()).chain((1..count).map(region)).collect()
-}
-
-/// Every place where two labels lie side by side or one above the other, with the cell on its lower left; `counts`
-/// tells which pairs of cells to look at.
-fn meetings(view: &View<'_>, label: &[u32], counts: impl Fn(usize, usize) -> bool) -> Vec<(u32, u32, u32)> {
-    let width = view.space.width;
-    let mut found = Vec::new();
-    for first in (0..label.len()).step_by(width) {
-        let row = &label[first..first + width];
-        // Above the last row nothing is labelled; nor is anything to the right of the last cell.
-        let above = label.get(first + width..first + 2 * width).unwrap_or(&[]);
-        let right = row[1..].iter().chain([&0]);
-        let above = above.iter().chain(std::iter::repeat(&0));
-        for (column, ((&a, &right), &above)) in row.iter().zip(right).zip(above).enumerate() {
-            if a == 0 || (right == a && above == a) {
-                continue;
-            }
-            let i = first + column;
-            for (b, j) in [(right, i + 1), (above, i + width)] {
-                if b != 0 && b != a && counts(i, j) {
-                    found.push((a, b, i as u32));
-                }
-            }
-        }
-    }
-    found
 }
 
 #[cfg(test)]

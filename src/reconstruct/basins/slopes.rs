@@ -5,6 +5,7 @@
 //! look at each cell's neighbours. Of two cells of equal height the one that comes first counts as higher.
 
 use super::space::Space;
+use std::ops::Range;
 
 /// The height of a cell that is on no slope.
 pub const NEVER: f32 = -1.0;
@@ -27,59 +28,42 @@ struct Meeting {
     slopes: [u32; 8],
 }
 
-/// Finds the slopes.
+/// Finds the slopes. The border of the space is on none.
 pub fn climb(space: &Space, height: &[f32]) -> Slopes {
-    Relief { height, steps: space.steps() }.climb()
+    Relief { height, width: space.width }.climb()
 }
 
 struct Relief<'a> {
     height: &'a [f32],
-    steps: [i64; 8],
+    width: usize,
 }
 
 impl Relief<'_> {
     fn climb(&self) -> Slopes {
-        let (label, peaks) = self.slopes();
+        let mut label = self.ways();
+        let tops = lead_to_tops(&mut label);
+        name(&mut label, &tops);
+        let peaks = std::iter::once(0.0).chain(tops.iter().map(|&t| self.height[t as usize])).collect();
         let mut meetings = self.meetings(&label);
         meetings.sort_unstable_by(|a, b| b.height.total_cmp(&a.height).then(a.cell.cmp(&b.cell)));
         Slopes { label, peaks, meetings }
     }
 
-    fn around(&self, cell: usize) -> [usize; 8] {
-        self.steps.map(|s| (cell as i64 + s) as usize)
-    }
-
-    /// The slope of each cell, and the peaks' heights.
-    fn slopes(&self) -> (Vec<u32>, Vec<f32>) {
-        let mut label = vec![0u32; self.height.len()];
-        let mut peaks = vec![0.0];
-        let mut way = Vec::new();
-        for start in (0..label.len()).filter(|&i| self.height[i] != NEVER) {
-            let mut at = start;
-            while label[at] == 0 {
-                way.push(at);
-                match self.up(at) {
-                    Some(next) => at = next,
-                    None => {
-                        label[at] = peaks.len() as u32;
-                        peaks.push(self.height[at]);
-                    }
+    /// For each cell its highest neighbour, or itself if none is higher; 0 for a cell on no slope.
+    fn ways(&self) -> Vec<u32> {
+        let width = self.width;
+        let mut ways = vec![0; self.height.len()];
+        for first in (width..self.height.len() - width).step_by(width) {
+            let row = |first: usize| self.height[first..first + width].windows(3);
+            let rows = row(first - width).zip(row(first)).zip(row(first + width));
+            let targets = ways[first + 1..].iter_mut().zip(first as u32 + 1..);
+            for (((below, here), above), (way, cell)) in rows.zip(targets) {
+                if here[1] != NEVER {
+                    *way = cell.wrapping_add(step(below, here, above, width as u32));
                 }
             }
-            let slope = label[at];
-            way.drain(..).for_each(|i| label[i] = slope);
         }
-        (label, peaks)
-    }
-
-    /// The highest neighbour, if it is higher.
-    fn up(&self, cell: usize) -> Option<usize> {
-        let (mut best, mut top) = (cell, NEVER);
-        for j in self.around(cell) {
-            let h = self.height[j];
-            (best, top) = if h > top { (j, h) } else { (best, top) };
-        }
-        self.is_higher(best, cell).then_some(best)
+        ways
     }
 
     fn is_higher(&self, a: usize, b: usize) -> bool {
@@ -87,25 +71,98 @@ impl Relief<'_> {
     }
 
     fn meetings(&self, label: &[u32]) -> Vec<Meeting> {
+        let width = self.width;
         let mut meetings = Vec::new();
-        for (cell, &own) in label.iter().enumerate().filter(|(_, l)| **l != 0) {
-            let around = self.around(cell);
-            if around.iter().all(|&j| label[j] == own || label[j] == 0) {
-                continue;
-            }
-            let others = around.into_iter().filter(|&j| {
-                label[j] != own && label[j] != 0 && self.is_higher(j, cell)
-            });
-            let mut slopes = [0; 8];
-            slopes[0] = own;
-            // A higher neighbour is on the cell's own slope, so there are seven others at most.
-            slopes[1..].iter_mut().zip(others).for_each(|(s, j)| *s = label[j]);
-            if slopes[1] != 0 {
-                meetings.push(Meeting { cell: cell as u32, height: self.height[cell], slopes });
+        for first in (width..label.len() - width).step_by(width) {
+            let row = |first: usize| &label[first..first + width];
+            let rows = [row(first - width), row(first), row(first + width)];
+            // Only where a run of one slope ends, here or in the rows beside, can be another one.
+            for columns in changes(rows) {
+                meetings.extend(columns.filter_map(|c| self.meeting(label, first + c)));
             }
         }
         meetings
     }
+
+    fn meeting(&self, label: &[u32], cell: usize) -> Option<Meeting> {
+        let own = Some(label[cell]).filter(|&l| l != 0)?;
+        let w = self.width;
+        let around =
+            [cell - w - 1, cell - w, cell - w + 1, cell - 1, cell + 1, cell + w - 1, cell + w, cell + w + 1];
+        let is_other = |j: &usize| label[*j] != own && label[*j] != 0 && self.is_higher(*j, cell);
+        let mut slopes = [0; 8];
+        slopes[0] = own;
+        // A higher neighbour is on the cell's own slope, so there are seven others at most.
+        let others = around.into_iter().filter(is_other);
+        slopes[1..].iter_mut().zip(others).for_each(|(s, j)| *s = label[j]);
+        (slopes[1] != 0).then_some(Meeting { cell: cell as u32, height: self.height[cell], slopes })
+    }
+}
+
+/// The step from a cell to its highest neighbour, if that is higher, else 0: the cells below it, beside it and above it
+/// with the cell in the middle. Steps back are large numbers that wrap around.
+fn step(below: &[f32], here: &[f32], above: &[f32], width: u32) -> u32 {
+    let back = |by: u32| 0u32.wrapping_sub(by);
+    let around = [
+        (below[0], back(width + 1)),
+        (below[1], back(width)),
+        (below[2], back(width - 1)),
+        (here[0], back(1)),
+        (here[2], 1),
+        (above[0], width - 1),
+        (above[1], width),
+        (above[2], width + 1),
+    ];
+    let (mut top, mut step) = (NEVER, 0);
+    for (height, to) in around {
+        (top, step) = if height > top { (height, to) } else { (top, step) };
+    }
+    // Of the two the first one counts as higher.
+    let is_higher = top > here[1] || (top == here[1] && step > width + 1);
+    if is_higher { step } else { 0 }
+}
+
+/// Lets every cell's way lead to its top at once; the tops, rising.
+fn lead_to_tops(ways: &mut [u32]) -> Vec<u32> {
+    let mut tops = Vec::new();
+    for start in 0..ways.len() as u32 {
+        let mut top = ways[start as usize];
+        if top == start && start != 0 {
+            tops.push(start);
+        }
+        while ways[top as usize] != top {
+            top = ways[top as usize];
+        }
+        let mut at = start;
+        while ways[at as usize] != top {
+            at = std::mem::replace(&mut ways[at as usize], top);
+        }
+    }
+    tops
+}
+
+/// Numbers the tops from 1, in their order.
+fn name(label: &mut [u32], tops: &[u32]) {
+    let (mut last, mut number) = (0, 0);
+    for l in label.iter_mut().filter(|l| **l != 0) {
+        if *l != last {
+            last = *l;
+            number = tops.partition_point(|&t| t < last) as u32 + 1;
+        }
+        *l = number;
+    }
+}
+
+/// The ranges of columns that are no farther than one column from the end of a run of labels in one of three rows; or
+/// where the rows differ.
+fn changes(rows: [&[u32]; 3]) -> impl Iterator<Item = Range<usize>> + '_ {
+    const BLOCK: usize = 16;
+    let width = rows[1].len();
+    (1..width - 1).step_by(BLOCK).map(move |from| from..(from + BLOCK).min(width - 1)).filter(move |block| {
+        let label = rows[1][block.start];
+        let wide = block.start - 1..block.end + 1;
+        rows.iter().any(|row| row[wide.clone()].iter().fold(0, |differing, l| differing | (l ^ label)) != 0)
+    })
 }
 
 impl Slopes {
@@ -177,7 +234,9 @@ mod tests {
         let mut label = vec![0u32; relief.height.len()];
         let mut union = Union { parent: vec![0], peak: vec![0.0], count: 0 };
         for cell in order {
-            let around = relief.around(cell).map(|j| (label[j], relief.height[j]));
+            let w = relief.width;
+            let around = [cell - w - 1, cell - w, cell - w + 1, cell - 1, cell + 1, cell + w - 1, cell + w, cell + w + 1];
+            let around = around.map(|j| (label[j], relief.height[j]));
             let known = around.iter().filter(|n| n.0 != 0);
             let Some(highest) = known.clone().rev().max_by(|a, b| a.1.total_cmp(&b.1)) else {
                 label[cell] = union.parent.len() as u32;
@@ -223,7 +282,7 @@ mod tests {
                 // Some cells are on no slope.
                 height[(i / 12 + 1) * 14 + i % 12 + 1] = if h == 0 { NEVER } else { f32::from(h) };
             }
-            let relief = Relief { height: &height, steps: [-15, -14, -13, -1, 1, 13, 14, 15] };
+            let relief = Relief { height: &height, width: 14 };
             let rise = f32::from(rise) / 10.0;
             let slopes = relief.climb();
             let roots = slopes.joined(rise).roots();

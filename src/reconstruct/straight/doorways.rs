@@ -4,6 +4,7 @@
 //! wall beside both jambs: those cells are doorway, and no room's floor.
 
 use super::super::directions::{difference, line_angle};
+use super::super::runs::meetings;
 use super::Labelled;
 use super::carrier::Carrier;
 use super::trace::corner_point;
@@ -110,18 +111,12 @@ fn boundaries(input: &Labelled<'_>) -> BTreeMap<[u32; 2], Vec<Vec<Corner>>> {
         }
     };
     let width = input.width();
-    let room = |l: &u32| if *l as usize <= input.rooms { *l } else { 0 };
-    for (r, row) in input.label.chunks_exact(width.max(1)).enumerate() {
-        let right = row[1..].iter().chain([&0]);
-        let above = input.label[(r + 1) * width..].iter().chain(std::iter::repeat(&0));
-        for (c, ((here, right), above)) in row.iter().zip(right).zip(above).enumerate() {
-            if *here != 0 && (here != right || here != above) {
-                let (c, r) = (c as i64, r as i64);
-                add(room(here), room(right), (c + 1, r), (c + 1, r + 1));
-                add(room(here), room(above), (c, r + 1), (c + 1, r + 1));
-            }
-        }
-    }
+    let room = |i: usize| if input.label[i] as usize <= input.rooms { input.label[i] } else { 0 };
+    meetings(input.label, width, |m| {
+        let (c, r) = ((m.cell % width) as i64, (m.cell / width) as i64);
+        let from = if m.other == m.cell + 1 { (c + 1, r) } else { (c, r + 1) };
+        add(room(m.cell), room(m.other), from, (c + 1, r + 1));
+    });
     sides.into_iter().map(|(rooms, sides)| (rooms, connected(sides))).collect()
 }
 

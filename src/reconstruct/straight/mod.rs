@@ -168,9 +168,9 @@ pub fn directions(input: &Labelled<'_>, params: &Straight) -> Vec<f64> {
     plan::directions(input, params)
 }
 
-/// The plan of the rooms.
-pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
-    plan::plan(input, params)
+/// The plan of the rooms; `main` are the building's [`directions`].
+pub fn plan(input: &Labelled<'_>, main: &[f64], params: &Straight) -> Plan {
+    plan::plan(input, main, params)
 }
 
 #[cfg(test)]

@@ -17,13 +17,12 @@ const MOST_DIFFERENCE: f64 = 0.02;
 const REACH: f64 = 4.0;
 
 /// See [`super::plan`].
-pub fn plan(input: &Labelled<'_>, params: &Straight) -> Plan {
+pub fn plan(input: &Labelled<'_>, main: &[f64], params: &Straight) -> Plan {
     let tolerance = tolerance(input, params);
-    let main = directions(input, params);
     let mut label = input.label.to_vec();
-    let doorways = doorways::take(input, &main, params.max_wall, &mut label);
+    let doorways = doorways::take(input, main, params.max_wall, &mut label);
     let rooms = cells(input, &label, params);
-    let drawing = Drawing { input, params, main: &main, label: &label, tolerance };
+    let drawing = Drawing { input, params, main, label: &label, tolerance };
     let floors = drawing.floors(&rooms);
     let faces = facing::faces(&floors);
     let stretches = facing::stretches(&faces, input, params);

@@ -54,7 +54,7 @@ impl Raster {
             obstacles: &self.obstacles,
             stated: &[],
         };
-        plan(&input, params)
+        plan(&input, &directions(&input, params), params)
     }
 
     fn plan(&self) -> Plan {

@@ -1,7 +1,7 @@
 //! The borders of a room's cells.
 
 use super::super::raster::Mask;
-use super::super::runs::Parts;
+use super::super::runs::{Parts, label_runs};
 use super::{Labelled, Straight};
 use planform_sdk::Point;
 
@@ -21,11 +21,9 @@ pub type Ring = Vec<(i64, i64)>;
 pub fn boxes(input: &Labelled<'_>, label: &[u32]) -> Vec<Option<[i64; 4]>> {
     let mut boxes: Vec<Option<[i64; 4]>> = vec![None; input.rooms];
     for (row, cells) in label.chunks_exact(input.width().max(1)).enumerate() {
-        let mut column = 0;
-        for run in cells.chunk_by(|a, b| a == b) {
-            let (from, to) = (column as i64, (column + run.len() - 1) as i64);
-            column += run.len();
-            let Some(found) = (run[0] as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else { continue };
+        for (run, label) in label_runs(cells) {
+            let (from, to) = (run.start as i64, run.end as i64 - 1);
+            let Some(found) = (label as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else { continue };
             let row = row as i64;
             let b = found.get_or_insert([from, row, to, row]);
             *b = [b[0].min(from), b[1].min(row), b[2].max(to), b[3].max(row)];
