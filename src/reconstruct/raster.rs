@@ -90,6 +90,27 @@ impl Mask {
         self.with_bits(self.bits.iter().zip(&other.bits).map(|(a, b)| *a || *b).collect())
     }
 
+    /// Unsets every cell that the other mask does not set.
+    pub fn and(&self, other: &Self) -> Self {
+        self.with_bits(self.bits.iter().zip(&other.bits).map(|(a, b)| *a && *b).collect())
+    }
+
+    /// The cells that have a set one straight beside them, or the outside.
+    pub fn beside(&self) -> Self {
+        let (width, bits) = (self.width, &self.bits);
+        let mut beside = vec![false; bits.len()];
+        beside[1..].iter_mut().zip(bits).for_each(|(o, b)| *o |= b);
+        beside.iter_mut().zip(&bits[1..]).for_each(|(o, b)| *o |= b);
+        beside[width.min(bits.len())..].iter_mut().zip(bits).for_each(|(o, b)| *o |= b);
+        beside.iter_mut().zip(&bits[width.min(bits.len())..]).for_each(|(o, b)| *o |= b);
+        for row in beside.chunks_exact_mut(width) {
+            (row[0], row[width - 1]) = (true, true);
+        }
+        beside[..width].fill(true);
+        beside[bits.len() - width..].fill(true);
+        self.with_bits(beside)
+    }
+
     /// Unsets every cell that the other mask sets.
     pub fn without(&self, other: &Self) -> Self {
         self.with_bits(self.bits.iter().zip(&other.bits).map(|(a, b)| *a && !b).collect())
@@ -189,6 +210,14 @@ pub mod tests {
             let grown = m.grown(reach as usize);
             assert!((0..5).all(|r| (0..7).all(|c| grown.get(c, r) == near(c, r))), "{reach}");
         }
+    }
+
+    #[test]
+    fn what_is_beside_a_cell_or_the_outside() {
+        assert_eq!(mask(&[".....", ".....", "..#..", ".....", "....."]).beside(), mask(&[
+            "#####", "#.#.#", "##.##", "#.#.#", "#####"
+        ]));
+        assert_eq!(mask(&["#", "."]).beside().count(), 2);
     }
 
     #[test]

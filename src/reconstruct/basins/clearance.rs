@@ -4,8 +4,8 @@
 //! Computing Distance Transforms in Linear Time", 2000).
 
 use super::super::runs::{Run, runs};
-use super::super::straight::floor;
 use super::space::Space;
+use std::ops::Range;
 
 /// The clearance of the free space.
 pub struct Clearance {
@@ -35,11 +35,16 @@ pub fn measure(space: &Space) -> Clearance {
                 *a = (f64::from(r) - row as f64).powi(2);
             }
             envelope.build(&away[around.clone()]);
-            for column in run.from..run.to {
-                let (from, square) = envelope.lowest(column - around.start, &away[around.clone()]);
-                let i = cells.start + column;
-                metres[i] = (square.sqrt() * space.resolution) as f32;
-                below[i] = above[around.start + from] * width as u32 + (around.start + from) as u32;
+            for (columns, part) in envelope.within(run.length() + 2) {
+                let nearest = above[around.start + part.column] * width as u32;
+                let first = cells.start + around.start;
+                below[first + columns.start..first + columns.end]
+                    .fill(nearest + (around.start + part.column) as u32);
+                let out = metres[first + columns.start..first + columns.end].iter_mut();
+                for (m, x) in out.zip(columns) {
+                    let aside = x as f64 - part.x;
+                    *m = ((part.away + aside * aside).sqrt() * space.resolution) as f32;
+                }
             }
         }
     }
@@ -74,47 +79,46 @@ fn nearest_in_column(row: usize, free: &[bool], below: &mut [u32], above: &mut [
     }
 }
 
-/// The lower envelope of the parabolas `away[i] + (x - i)^2`. All are whole numbers, in floating point as that divides
-/// faster; they are exact up to 94 million cells.
+/// A parabola `away + (column - x)^2`. All are whole numbers, in floating point as that divides faster; they are exact
+/// up to 94 million columns.
+struct Parabola {
+    x: f64,
+    away: f64,
+    /// It is the lowest beyond here.
+    from: f64,
+    column: usize,
+}
+
+/// The lower envelope of the parabolas of all columns.
 #[derive(Default)]
 struct Envelope {
-    /// The parabolas of the envelope: apex, and the first column where it is the lowest.
-    parts: Vec<(f64, f64)>,
-    at: usize,
+    parts: Vec<Parabola>,
 }
 
 impl Envelope {
     fn build(&mut self, away: &[f64]) {
         self.parts.clear();
-        self.at = 0;
-        for (u, &high) in away.iter().enumerate() {
-            let b = u as f64;
-            while let Some(&(a, from)) = self.parts.last()
-                && away[a as usize] + (from - a) * (from - a) > high + (from - b) * (from - b)
-            {
+        for (column, &away) in away.iter().enumerate() {
+            let x = column as f64;
+            let mut from = -1.0;
+            while let Some(last) = self.parts.last() {
+                from = (x * x + away - last.x * last.x - last.away) / (2.0 * (x - last.x));
+                if from > last.from {
+                    break;
+                }
                 self.parts.pop();
             }
-            let from = match self.parts.last() {
-                None => 0.0,
-                Some(&(a, _)) => {
-                    let crossing = ((b - a) * (b + a) + high - away[a as usize]) / (2.0 * (b - a));
-                    (floor(crossing) + 1) as f64
-                }
-            };
-            if from < away.len() as f64 {
-                self.parts.push((b, from));
-            }
+            self.parts.push(Parabola { x, away, from, column });
         }
     }
 
-    /// The parabola that is lowest at a column, and its value there. Columns are asked for in rising order.
-    fn lowest(&mut self, column: usize, away: &[f64]) -> (usize, f64) {
-        let x = column as f64;
-        while self.parts.get(self.at + 1).is_some_and(|p| p.1 <= x) {
-            self.at += 1;
-        }
-        let apex = self.parts[self.at].0;
-        (apex as usize, away[apex as usize] + (x - apex) * (x - apex))
+    /// The columns where each parabola is the lowest, without the first and the last of `count` columns.
+    fn within(&self, count: usize) -> impl Iterator<Item = (Range<usize>, &Parabola)> {
+        let first = move |part: &Parabola| ((part.from + 1.0) as usize).clamp(1, count - 1);
+        self.parts.iter().enumerate().filter_map(move |(i, part)| {
+            let columns = first(part)..self.parts.get(i + 1).map_or(count - 1, first);
+            (!columns.is_empty()).then_some((columns, part))
+        })
     }
 }
 

@@ -69,45 +69,69 @@ fn smoothed(space: &Space, metres: &[f32]) -> Vec<f32> {
     let (width, height) = (space.width, space.height);
     let mut out = vec![0.0f32; metres.len()];
     // The smoothed rows around the one that is made, each in its turn; none of what is not free.
-    let mut across: Vec<Option<Vec<f32>>> = vec![None; 2 * reach + 1];
+    let mut across: Vec<Option<Vec<Block>>> = vec![None; 2 * reach + 1];
     let mut padded = Vec::with_capacity(width + 2 * reach);
     for ready in 0..height + reach {
         if let Some(line) = metres.get(ready * width..(ready + 1) * width) {
             across[ready % (2 * reach + 1)] = smoothed_row(line, &kernel, &mut padded);
         }
         let Some(row) = ready.checked_sub(reach) else { continue };
-        let target = &mut out[row * width..(row + 1) * width];
-        for k in 0..=2 * reach {
-            // Beyond the space all is as on its border: not free.
-            let Some(from) = (row + k).checked_sub(reach).filter(|&r| r < height) else { continue };
-            let Some(line) = &across[from % (2 * reach + 1)] else { continue };
-            let weight = kernel[k.abs_diff(reach)];
-            for (o, a) in target.iter_mut().zip(line) {
-                *o += weight * a;
-            }
-        }
+        // Beyond the space all is as on its border: not free.
+        let near = (row.saturating_sub(reach)..(row + reach + 1).min(height)).filter_map(|from| {
+            Some((kernel[from.abs_diff(row)], across[from % (2 * reach + 1)].as_deref()?))
+        });
+        weigh(&near.collect::<Vec<_>>(), &mut out[row * width..(row + 1) * width]);
     }
     out
 }
 
+/// So many columns are made at a time: they stay in registers.
+const BLOCK: usize = 8;
+
+/// Some columns of a row.
+type Block = [f32; BLOCK];
+
+/// The sum of rows with their weights.
+fn weigh(rows: &[(f32, &[Block])], out: &mut [f32]) {
+    if rows.is_empty() {
+        return;
+    }
+    for (i, out) in out.chunks_mut(BLOCK).enumerate() {
+        let mut sum = [0.0; BLOCK];
+        for (weight, row) in rows {
+            let row: Block = row[i];
+            for j in 0..BLOCK {
+                sum[j] += weight * row[j];
+            }
+        }
+        out.copy_from_slice(&sum[..out.len()]);
+    }
+}
+
 /// A row through a kernel; none if it is all zero. `padded` is a place to work in.
-fn smoothed_row(line: &[f32], kernel: &[f32], padded: &mut Vec<f32>) -> Option<Vec<f32>> {
+fn smoothed_row(line: &[f32], kernel: &[f32], padded: &mut Vec<f32>) -> Option<Vec<Block>> {
     if line.iter().all(|&v| v == 0.0) {
         return None;
     }
     let reach = kernel.len() - 1;
+    let blocks = line.len().div_ceil(BLOCK);
     padded.clear();
     padded.resize(reach, line[0]);
     padded.extend_from_slice(line);
-    padded.resize(line.len() + 2 * reach, line[line.len() - 1]);
-    let mut out: Vec<f32> = line.iter().map(|v| kernel[0] * v).collect();
-    for (k, weight) in kernel.iter().enumerate().skip(1) {
-        let (left, right) = (&padded[reach - k..], &padded[reach + k..]);
-        for ((o, l), r) in out.iter_mut().zip(left).zip(right) {
-            *o += weight * (l + r);
+    padded.resize(blocks * BLOCK + 2 * reach, line[line.len() - 1]);
+    let at = |from: usize| -> Block { padded[from..].first_chunk().copied().unwrap_or_default() };
+    let block = |i: usize| {
+        let middle = i * BLOCK + reach;
+        let mut sum = at(middle).map(|v| kernel[0] * v);
+        for (k, weight) in kernel.iter().enumerate().skip(1) {
+            let (left, right) = (at(middle - k), at(middle + k));
+            for j in 0..BLOCK {
+                sum[j] += weight * (left[j] + right[j]);
+            }
         }
-    }
-    Some(out)
+        sum
+    };
+    Some((0..blocks).map(block).collect())
 }
 
 /// The right half of a normalised Gaussian kernel out to four standard deviations, its middle first.

@@ -48,8 +48,8 @@ fn tolerance(input: &Labelled<'_>, params: &Straight) -> f64 {
     params.tolerance.max(1.5 * input.resolution)
 }
 
-/// The cells of each room's floor; of a room that is all doorway, all.
-fn cells(input: &Labelled<'_>, label: &[u32], params: &Straight) -> Vec<Option<Cells>> {
+/// The cells of each room's floor with the rings around them; of a room that is all doorway, all.
+fn cells(input: &Labelled<'_>, label: &[u32], params: &Straight) -> Vec<Option<(Cells, Vec<Ring>)>> {
     let (whole, left) = (trace::boxes(input, input.label), trace::boxes(input, label));
     let boxes = whole.into_iter().zip(left).enumerate();
     let room = boxes.map(|(room, (whole, left))| {
@@ -78,23 +78,23 @@ struct Drawing<'a> {
 
 impl Drawing<'_> {
     /// The floors, disjoint.
-    fn floors(&self, rooms: &[Option<Cells>]) -> Vec<Option<Polygon>> {
+    fn floors(&self, rooms: &[Option<(Cells, Vec<Ring>)>]) -> Vec<Option<Polygon>> {
         let mut tracks: Vec<Around> = Vec::new();
         for (room, cells) in rooms.iter().enumerate() {
-            let rings = cells.iter().flat_map(Cells::rings);
-            tracks.extend(rings.map(|r| Around { room, track: self.track(&r, self.tolerance) }));
+            let rings = cells.iter().flat_map(|(_, rings)| rings);
+            tracks.extend(rings.map(|r| Around { room, track: self.track(r, self.tolerance) }));
         }
         align(&mut tracks, self.main, self.label, self.input, self.params);
         let mut floors = Vec::with_capacity(rooms.len());
         let mut rest = tracks.as_slice();
         for (room, cells) in rooms.iter().enumerate() {
             let (own, after) = rest.split_at(rest.partition_point(|a| a.room <= room));
-            floors.push(cells.as_ref().map(|cells| self.floor(cells, own)));
+            floors.push(cells.as_ref().map(|(cells, rings)| self.floor(cells, rings, own)));
             rest = after;
         }
         let exact: Vec<Polygon> = rooms
             .iter()
-            .map(|c| c.as_ref().map_or_else(Polygon::default, |c| self.exact(&c.rings())))
+            .map(|c| c.as_ref().map_or_else(Polygon::default, |(_, rings)| self.exact(rings)))
             .collect();
         inner::part(&mut floors, &exact);
         inner::separate(&mut floors, &exact);
@@ -110,15 +110,14 @@ impl Drawing<'_> {
 
     /// The first of these that fits the cells: the aligned outline, one of its own with half the tolerance, the cells'
     /// border.
-    fn floor(&self, cells: &Cells, aligned: &[Around]) -> Polygon {
+    fn floor(&self, cells: &Cells, rings: &[Ring], aligned: &[Around]) -> Polygon {
         let first = polygon(aligned.iter().map(|a| &a.track), self.tolerance);
         if let Some(fitting) = self.fitting(first, cells) {
             return fitting;
         }
-        let rings = cells.rings();
         let closer: Vec<Track> = rings.iter().map(|r| self.track(r, self.tolerance / 2.0)).collect();
         let second = polygon(closer.iter(), self.tolerance / 2.0);
-        self.fitting(second, cells).unwrap_or_else(|| self.exact(&rings))
+        self.fitting(second, cells).unwrap_or_else(|| self.exact(rings))
     }
 
     fn fitting(&self, polygon: Polygon, cells: &Cells) -> Option<Polygon> {

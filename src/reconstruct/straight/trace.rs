@@ -1,7 +1,7 @@
 //! The borders of a room's cells.
 
 use super::super::raster::Mask;
-use super::super::runs::{Parts, label_runs};
+use super::super::runs::{Parts, label_runs, runs};
 use super::{Labelled, Straight};
 use planform_sdk::Point;
 
@@ -51,11 +51,19 @@ impl Cells {
 
     /// The largest connected part of a room's cells, without small holes. `label` may have fewer cells in rooms than
     /// the input: a hole with cells of another room of the input is not filled.
-    pub fn of(input: &Labelled<'_>, label: &[u32], room: usize, around: [i64; 4], params: &Straight) -> Self {
+    /// With the rings around them.
+    pub fn of(
+        input: &Labelled<'_>,
+        label: &[u32],
+        room: usize,
+        around: [i64; 4],
+        params: &Straight,
+    ) -> (Self, Vec<Ring>) {
         let all = Self::all(input, label, room, around);
         let cells = Self { mask: largest(&all.mask), ..all };
-        if cells.rings().len() < 2 {
-            return cells;
+        let rings = cells.rings();
+        if rings.len() < 2 {
+            return (cells, rings);
         }
         let taken = |i: usize| {
             let (c, r) = ((i % cells.mask.width()) as i64, (i / cells.mask.width()) as i64);
@@ -63,7 +71,9 @@ impl Cells {
             l != 0 && l != room + 1
         };
         let most = (params.min_hole / (input.resolution * input.resolution)) as usize;
-        Self { mask: fill(&cells.mask, most, taken), ..cells }
+        let filled = Self { mask: fill(&cells.mask, most, taken), ..cells };
+        let rings = filled.rings();
+        (filled, rings)
     }
 
     /// The rings around the cells: one counter-clockwise, then clockwise ones around holes.
@@ -72,8 +82,10 @@ impl Cells {
         let mut seen = vec![false; bits.len()];
         let mut rings = Vec::new();
         for run in self.mask.runs() {
-            let cells = run.cells(width);
-            for i in cells.filter(|&i| i < width || !bits[i - width]) {
+            // The mask's border is unset: there is a row below.
+            let below = (run.row - 1) * width;
+            let bare = runs(&bits[below + run.from..below + run.to], run.length(), false);
+            for i in bare.flat_map(|gap| gap.from..gap.to).map(|k| run.row * width + run.from + k) {
                 if !seen[i] {
                     rings.push(self.follow(((i - run.row * width) as i64, run.row as i64), &mut seen));
                 }
@@ -152,17 +164,18 @@ fn cut_saddles(bits: &mut [bool], width: usize) {
         let (a, b, c, d) = (bits[i], bits[i + 1], bits[i + width], bits[i + width + 1]);
         (a == d && b == c && a != b).then_some(if a { i + width + 1 } else { i + width })
     };
-    let last = bits.len().saturating_sub(width + 1);
     let mut open = vec![];
-    for start in 0..last {
-        if bits[start] == bits[start + 1] {
-            continue;
-        }
-        open.extend(saddle(bits, start));
-        while let Some(cut) = open.pop() {
-            bits[cut] = false;
-            let around = [cut - width - 1, cut - width, cut - 1, cut];
-            open.extend(around.into_iter().filter(|&i| i <= start).filter_map(|i| saddle(bits, i)));
+    for first in (0..bits.len() - width).step_by(width) {
+        // What is cut lies in the row above, so this one stays as it is.
+        let row = runs(&bits[first..first + width], width, true);
+        let ends: Vec<usize> = row.flat_map(|run| [first + run.from - 1, first + run.to - 1]).collect();
+        for start in ends {
+            open.extend(saddle(bits, start));
+            while let Some(cut) = open.pop() {
+                bits[cut] = false;
+                let around = [cut - width - 1, cut - width, cut - 1, cut];
+                open.extend(around.into_iter().filter(|&i| i <= start).filter_map(|i| saddle(bits, i)));
+            }
         }
     }
 }

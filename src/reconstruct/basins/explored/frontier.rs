@@ -48,21 +48,11 @@ pub fn runs(input: &Labelled<'_>, lines: &[Lines], params: &Explored) -> Vec<Run
     runs
 }
 
-/// The free cells with a cell of no room beside, or at the end of the grid, rising.
-fn borders<'a>(input: &'a Labelled<'_>) -> impl Iterator<Item = usize> + 'a {
-    let (width, label) = (input.free.width(), input.label);
-    let last = input.free.height() - 1;
-    let is_border = move |i: usize| {
-        let beside = label[i - 1] == 0 || label[i + 1] == 0;
-        beside || label[i - width] == 0 || label[i + width] == 0
-    };
-    input.free.runs().flat_map(move |run| {
-        let at_end = run.row == 0 || run.row == last;
-        run.cells(width).zip(run.from..).filter_map(move |(i, column)| {
-            let at_end = at_end || column == 0 || column + 1 == width;
-            (at_end || is_border(i)).then_some(i)
-        })
-    })
+/// The free cells of rooms with a cell of no room beside, or at the end of the grid, rising.
+fn borders(input: &Labelled<'_>) -> Vec<usize> {
+    let bare = input.free.with_bits(input.label.iter().map(|&l| l == 0).collect());
+    let borders = input.free.and(&bare.beside()).without(&bare);
+    borders.runs().flat_map(|run| run.cells(borders.width())).collect()
 }
 
 /// Whether a cell is open only where the room has a wall: far along a corridor few rays meet it.
