@@ -206,7 +206,9 @@ pub mod tests {
         let rows = ["#......", ".......", ".......", ".....#.", "......."];
         let m = mask(&rows);
         for reach in 0..8i64 {
-            let near = |c: i64, r: i64| m.cells().any(|(x, y)| (x as i64 - c).abs().max((y as i64 - r).abs()) <= reach);
+            let near = |c: i64, r: i64| {
+                m.cells().any(|(x, y)| (x as i64 - c).abs().max((y as i64 - r).abs()) <= reach)
+            };
             let grown = m.grown(reach as usize);
             assert!((0..5).all(|r| (0..7).all(|c| grown.get(c, r) == near(c, r))), "{reach}");
         }
@@ -214,9 +216,10 @@ pub mod tests {
 
     #[test]
     fn what_is_beside_a_cell_or_the_outside() {
-        assert_eq!(mask(&[".....", ".....", "..#..", ".....", "....."]).beside(), mask(&[
-            "#####", "#.#.#", "##.##", "#.#.#", "#####"
-        ]));
+        assert_eq!(
+            mask(&[".....", ".....", "..#..", ".....", "....."]).beside(),
+            mask(&["#####", "#.#.#", "##.##", "#.#.#", "#####"])
+        );
         assert_eq!(mask(&["#", "."]).beside().count(), 2);
     }
 

@@ -8,6 +8,7 @@
 mod extend;
 mod field;
 mod fill;
+mod flood;
 mod frontier;
 mod glimpse;
 mod lines;
@@ -15,6 +16,7 @@ mod lines;
 use super::super::straight::{Labelled, Straight};
 use extend::Extent;
 use field::{Field, Frame};
+use flood::Flood;
 use frontier::Run;
 use lines::Lines;
 use planform_sdk::{FrontierKind, Segment};
@@ -102,7 +104,8 @@ pub fn explore(input: &Labelled<'_>, main: &[f64], straight: &Straight, params: 
     let mut lines = lines_of(input);
     let mut runs = frontier::runs(input, &lines, params);
     let mut label = input.label.to_vec();
-    let rooms = glimpse::part(input, &mut label, &lines, &runs, params);
+    let mut flood = Flood::new(input);
+    let rooms = glimpse::part(input, &mut label, &lines, &runs, &mut flood, params);
     let seen = Labelled { label: &label, rooms, ..*input };
     if label != input.label {
         lines = lines_of(&seen);
@@ -114,7 +117,8 @@ pub fn explore(input: &Labelled<'_>, main: &[f64], straight: &Straight, params: 
     for runs in runs.chunk_by(|a, b| a.room == b.room) {
         let room = runs[0].room;
         let Some(lines) = lines::sharpest(&lines, room) else { continue };
-        let behind = complete(&seen, &mut known.label, runs, lines, straight.unseen_thickness, params);
+        let wall = straight.unseen_thickness;
+        let behind = complete(&seen, &mut known.label, runs, lines, wall, &mut flood, params);
         let added = behind.iter().map(|b| b.cells.len()).sum::<usize>() as f64;
         let open = behind.iter().any(|b| b.extent.leads == FrontierKind::Space);
         if open || added >= params.unseen * (added + sizes[room] as f64) {
@@ -146,6 +150,7 @@ fn complete(
     runs: &[Run],
     lines: &Lines,
     wall: f64,
+    flood: &mut Flood,
     params: &Explored,
 ) -> Vec<Behind> {
     let mut runs = runs.to_vec();
@@ -154,7 +159,7 @@ fn complete(
     for run in runs {
         let field = Field { input, label, frame: lines.frame };
         let extent = extend::extent(&field, &run, lines, wall, params);
-        let cells = fill::behind(&field, &run, &extent, wall);
+        let cells = fill::behind(&field, &run, &extent, wall, flood);
         for &c in &cells {
             label[c] = run.room as u32 + 1;
         }

@@ -8,7 +8,7 @@ use super::regions::{Regions, pair};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BinaryHeap};
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 /// When two regions are one room.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -142,18 +142,51 @@ impl Queue {
 /// Joins corridors that meet without a narrowing, the widest passage first: walls that face each other, crossings and
 /// bends cut a corridor by the evidence, but not in the eyes of people.
 fn join_corridors(regions: &mut Regions<'_>, params: &Merge) {
-    loop {
-        let mut best: Option<(f64, (u32, u32))> = None;
-        for pair in regions.pairs() {
-            let Some(width) = relative_width(regions, pair, params.corridor) else { continue };
-            if width >= params.unnarrowed && best.is_none_or(|b| width > b.0) {
-                best = Some((width, pair));
-            }
+    let mut waiting = BinaryHeap::new();
+    let wait = |regions: &mut Regions<'_>, waiting: &mut BinaryHeap<Wide>, pair| {
+        let width = relative_width(regions, pair, params.corridor);
+        waiting.extend(width.filter(|&w| w >= params.unnarrowed).map(|width| Wide { width, pair }));
+    };
+    for pair in regions.pairs() {
+        wait(regions, &mut waiting, pair);
+    }
+    while let Some(Wide { width, pair: (a, b) }) = waiting.pop() {
+        // Every merge changes the widths around: what was found before may be out of date.
+        if relative_width(regions, (a, b), params.corridor) != Some(width) {
+            continue;
         }
-        let Some((_, (a, b))) = best else { return };
-        regions.merge(a, b);
+        let Some(kept) = regions.merge(a, b) else { continue };
+        for other in regions.beside(kept) {
+            wait(regions, &mut waiting, pair(kept, other));
+        }
     }
 }
+
+/// A pair of corridors and how wide the passage between them is.
+struct Wide {
+    width: f64,
+    pair: (u32, u32),
+}
+
+impl Ord for Wide {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.width.total_cmp(&other.width).then_with(|| other.pair.cmp(&self.pair))
+    }
+}
+
+impl PartialOrd for Wide {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Wide {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Wide {}
 
 /// The clearance of the widest passage between two regions over half the mean width of the wider one; none if one of
 /// them is less elongated than asked for, or if a known door is between them.
@@ -180,37 +213,55 @@ const BETWEEN: usize = 3;
 /// another, each time through more than a door and without much of a narrowing. So a corridor that goes around a
 /// courtyard is closed.
 fn join_through(regions: &mut Regions<'_>, params: &Merge) {
+    let mut links = Links::new();
+    for pair in regions.pairs() {
+        link(&mut links, regions, pair, params);
+    }
     loop {
-        let mut links: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        for (a, b) in regions.pairs() {
-            let gap = evidence::widest(regions.passages(a, b)).map_or(0.0, |p| p.gap);
-            let open = relative_width(regions, (a, b), STUB).is_some_and(|w| w >= params.through);
-            if open && gap > params.door {
-                links.entry(a).or_default().push(b);
-                links.entry(b).or_default().push(a);
-            }
-        }
         let is_corridor = |r: u32| regions.get(r).is_some_and(|r| r.elongation() >= params.corridor);
         let mut from = links.keys().copied().filter(|r| is_corridor(*r));
         let Some(way) = from.find_map(|r| way_through(&links, &is_corridor, r)) else { return };
         let mut kept = way[0];
         for &next in way[1..].iter().filter(|n| **n != way[0]) {
+            let [was, other] = [kept, next];
             kept = regions.merge(kept, next).unwrap_or(kept);
+            unlink(&mut links, if kept == was { other } else { was });
+        }
+        unlink(&mut links, kept);
+        for other in regions.beside(kept) {
+            link(&mut links, regions, pair(kept, other), params);
+        }
+    }
+}
+
+/// For each region those that corridors may go on to.
+type Links = BTreeMap<u32, BTreeSet<u32>>;
+
+/// Links two regions if corridors may go on from one to the other.
+fn link(links: &mut Links, regions: &mut Regions<'_>, (a, b): (u32, u32), params: &Merge) {
+    let gap = evidence::widest(regions.passages(a, b)).map_or(0.0, |p| p.gap);
+    let open = relative_width(regions, (a, b), STUB).is_some_and(|w| w >= params.through);
+    if open && gap > params.door {
+        links.entry(a).or_default().insert(b);
+        links.entry(b).or_default().insert(a);
+    }
+}
+
+fn unlink(links: &mut Links, region: u32) {
+    for other in links.remove(&region).into_iter().flatten() {
+        if let Some(others) = links.get_mut(&other) {
+            others.remove(&region);
         }
     }
 }
 
 /// A shortest way over links from a corridor through other regions to another corridor, or around to the same one.
-fn way_through(
-    links: &BTreeMap<u32, Vec<u32>>,
-    is_corridor: &dyn Fn(u32) -> bool,
-    from: u32,
-) -> Option<Vec<u32>> {
+fn way_through(links: &Links, is_corridor: &dyn Fn(u32) -> bool, from: u32) -> Option<Vec<u32>> {
     let mut ways = vec![vec![from]];
     for between in 0..=BETWEEN {
         let mut longer = Vec::new();
         for way in &ways {
-            for &next in links.get(way.last()?).map_or(&[][..], Vec::as_slice) {
+            for &next in links.get(way.last()?).into_iter().flatten() {
                 // There and back through one region is no way through.
                 let arrived = is_corridor(next) && between >= if next == from { 2 } else { 1 };
                 if arrived || (!is_corridor(next) && !way.contains(&next)) {
@@ -317,10 +368,10 @@ mod tests {
     #[test]
     fn ways_lead_from_corridor_to_corridor() {
         let links = |pairs: &[(u32, u32)]| {
-            let mut links: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+            let mut links = Links::new();
             for &(a, b) in pairs {
-                links.entry(a).or_default().push(b);
-                links.entry(b).or_default().push(a);
+                links.entry(a).or_default().insert(b);
+                links.entry(b).or_default().insert(a);
             }
             links
         };

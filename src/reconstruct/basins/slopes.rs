@@ -170,7 +170,7 @@ impl Slopes {
     /// and less than this in metres.
     pub fn joined(&self, rise: f32) -> Union {
         let parent = (0..self.peaks.len() as u32).collect();
-        let mut union = Union { parent, peak: self.peaks.clone(), count: self.peaks.len() as u32 - 1 };
+        let mut union = Union { parent, peak: self.peaks.clone(), count: self.peaks.len() - 1 };
         for meeting in &self.meetings {
             let mut basin = union.root(meeting.slopes[0]);
             for other in meeting.slopes[1..].iter().take_while(|s| **s != 0) {
@@ -189,7 +189,7 @@ pub struct Union {
     parent: Vec<u32>,
     peak: Vec<f32>,
     /// How many are left.
-    pub count: u32,
+    pub count: usize,
 }
 
 impl Union {
@@ -235,7 +235,16 @@ mod tests {
         let mut union = Union { parent: vec![0], peak: vec![0.0], count: 0 };
         for cell in order {
             let w = relief.width;
-            let around = [cell - w - 1, cell - w, cell - w + 1, cell - 1, cell + 1, cell + w - 1, cell + w, cell + w + 1];
+            let around = [
+                cell - w - 1,
+                cell - w,
+                cell - w + 1,
+                cell - 1,
+                cell + 1,
+                cell + w - 1,
+                cell + w,
+                cell + w + 1,
+            ];
             let around = around.map(|j| (label[j], relief.height[j]));
             let known = around.iter().filter(|n| n.0 != 0);
             let Some(highest) = known.clone().rev().max_by(|a, b| a.1.total_cmp(&b.1)) else {

@@ -14,8 +14,10 @@ const SMOOTHING: f64 = 0.08;
 /// peak: what remains of the smoothed steps between cells.
 const RISE: f32 = 0.002;
 
-/// The most basins; a floor of 50 rooms has 200 to 700. A space with more is noise, and is cut more coarsely.
-const MOST: u32 = 3_000;
+/// The most basins; a floor of 50 rooms has 200 to 700. A space with more is noise, and is cut more coarsely. Of a large
+/// one, so many to the square metre: buildings have a tenth to a half.
+const MOST: usize = 3_000;
+const MOST_PER_AREA: f64 = 1.0;
 
 /// For each cell the number of its basin from 1, 0 where it is not free; and the number of basins.
 pub struct Basins {
@@ -34,9 +36,11 @@ pub fn cut(space: &Space, clearance: &Clearance, doors: &[bool]) -> Basins {
         }
     }
     let slopes = slopes::climb(space, &height);
+    let area = space.area(space.free.iter().filter(|&&free| free).count());
+    let most = MOST.max((MOST_PER_AREA * area) as usize);
     let mut rise = RISE;
     let mut union = slopes.joined(rise);
-    while union.count > MOST {
+    while union.count > most {
         rise *= 4.0;
         union = slopes.joined(rise);
     }

@@ -23,7 +23,9 @@ pub fn boxes(input: &Labelled<'_>, label: &[u32]) -> Vec<Option<[i64; 4]>> {
     for (row, cells) in label.chunks_exact(input.width().max(1)).enumerate() {
         for (run, label) in label_runs(cells) {
             let (from, to) = (run.start as i64, run.end as i64 - 1);
-            let Some(found) = (label as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else { continue };
+            let Some(found) = (label as usize).checked_sub(1).and_then(|r| boxes.get_mut(r)) else {
+                continue;
+            };
             let row = row as i64;
             let b = found.get_or_insert([from, row, to, row]);
             *b = [b[0].min(from), b[1].min(row), b[2].max(to), b[3].max(row)];
@@ -131,7 +133,9 @@ impl Cells {
 /// The largest component of cells that touch by their sides; of equal ones the first.
 fn largest(mask: &Mask) -> Mask {
     let parts = Parts::of(mask.bits(), mask.width(), true, false);
-    let Some(best) = (0..parts.sizes.len()).rev().max_by_key(|&i| parts.sizes[i]) else { return mask.clone() };
+    let Some(best) = (0..parts.sizes.len()).rev().max_by_key(|&i| parts.sizes[i]) else {
+        return mask.clone();
+    };
     let mut bits = vec![false; mask.bits().len()];
     for (run, _) in parts.runs.iter().filter(|(_, part)| *part as usize == best) {
         bits[run.cells(mask.width())].fill(true);

@@ -2,7 +2,6 @@
 
 use super::super::super::straight::{Labelled, floor};
 use planform_sdk::Point;
-use std::collections::BTreeSet;
 
 /// Axes turned by an angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,24 +89,6 @@ impl Field<'_> {
             0 => Shown::Unknown,
             l => Shown::Room(l),
         }
-    }
-
-    /// The cells that hang together with some cells, over cells that may be entered; those cells included.
-    pub fn flood(&self, from: &[usize], may: impl Fn(usize) -> bool) -> BTreeSet<usize> {
-        let width = self.input.free.width();
-        let mut found: BTreeSet<usize> = from.iter().copied().collect();
-        let mut open = from.to_vec();
-        while let Some(at) = open.pop() {
-            let (c, r) = ((at % width) as i64, (at / width) as i64);
-            for (x, y) in [(c + 1, r), (c - 1, r), (c, r + 1), (c, r - 1)] {
-                let Some(i) = self.input.free.index(x, y) else { continue };
-                if !found.contains(&i) && may(i) {
-                    found.insert(i);
-                    open.push(i);
-                }
-            }
-        }
-        found
     }
 
     /// What a place in the frame shows.

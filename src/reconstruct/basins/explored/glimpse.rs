@@ -6,6 +6,7 @@
 use super::super::super::straight::Labelled;
 use super::Explored;
 use super::field::{Field, Side};
+use super::flood::Flood;
 use super::frontier::Run;
 use super::lines::{self, Lines};
 
@@ -24,6 +25,7 @@ pub fn part(
     label: &mut [u32],
     lines: &[Lines],
     runs: &[Run],
+    flood: &mut Flood,
     params: &Explored,
 ) -> usize {
     let mut rooms = input.rooms;
@@ -31,7 +33,7 @@ pub fn part(
         let Some(lines) = lines::sharpest(lines, run.room) else { continue };
         let field = Field { input, label, frame: lines.frame };
         let looks = Glimpses { field: &field, run, lines, max_door: params.door };
-        let Some(cells) = looks.find() else { continue };
+        let Some(cells) = looks.find(flood) else { continue };
         let enough = cells.len() as f64 * input.resolution * input.resolution >= params.smallest;
         rooms += usize::from(enough);
         for c in cells {
@@ -50,36 +52,36 @@ struct Glimpses<'a> {
 
 impl Glimpses<'_> {
     /// The cells of the glimpse that ends at a frontier, if it is one.
-    fn find(&self) -> Option<Vec<usize>> {
+    fn find(&self, flood: &mut Flood) -> Option<Vec<usize>> {
         let own = self.run.room as u32 + 1;
         if self.run.cells.iter().any(|&c| self.field.label[c] != own) {
             return None;
         }
-        Side::ALL.into_iter().find_map(|side| self.beyond(side))
+        Side::ALL.into_iter().find_map(|side| self.beyond(side, flood))
     }
 
     /// The cells beyond the nearest wall line on a side that has a door there.
-    fn beyond(&self, side: Side) -> Option<Vec<usize>> {
+    fn beyond(&self, side: Side, flood: &mut Flood) -> Option<Vec<usize>> {
         let out = |c: usize| self.field.middle(c)[side.axis] * side.sense();
         let first = self.run.cells.iter().map(|&c| out(c)).fold(f64::MAX, f64::min);
-        let aside: Vec<f64> = self.run.cells.iter().map(|&c| self.field.middle(c)[1 - side.axis]).collect();
-        let (low, high) = aside.iter().fold((f64::MAX, f64::MIN), |(l, h), &v| (l.min(v), h.max(v)));
+        let aside = |c: usize| self.field.middle(c)[1 - side.axis];
+        let (low, high) =
+            self.run.cells.iter().fold((f64::MAX, f64::MIN), |(l, h), &c| (l.min(aside(c)), h.max(aside(c))));
         let around = [low - BESIDE - self.max_door, high + BESIDE + self.max_door];
         let line = self.lines.own(self.run.room, side, first, around)?;
         let resolution = self.field.input.resolution;
-        let cells = self.cells(|c| out(c) > line + BEYOND.max(resolution));
-        let way = |c: &&usize| out(**c) < line + BEYOND.max(resolution) + 1.5 * resolution;
-        let places = cells.iter().filter(way).map(|&c| self.field.middle(c)[1 - side.axis]);
-        let (from, to) = places.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
-        let walls = |range| self.lines.covered(self.run.room, side, line * side.sense(), range) >= JAMB;
-        let door = to >= from && to - from <= self.max_door;
-        (door && walls([from - BESIDE, from]) && walls([to, to + BESIDE])).then_some(cells)
-    }
-
-    /// The room's cells for which `is` holds that hang together with the frontier.
-    fn cells(&self, is: impl Fn(usize) -> bool) -> Vec<usize> {
+        let begin = line + BEYOND.max(resolution);
         let own = self.run.room as u32 + 1;
-        let found = self.field.flood(&self.run.cells, |i| self.field.label[i] == own && is(i));
-        found.into_iter().collect()
+        // Where the glimpse begins; it is none if that is wider than a door.
+        let (mut from, mut to) = (f64::MAX, f64::MIN);
+        let narrow = |c: usize| {
+            if out(c) < begin + 1.5 * resolution {
+                (from, to) = (from.min(aside(c)), to.max(aside(c)));
+            }
+            to - from <= self.max_door
+        };
+        let cells = flood.run(&self.run.cells, |i| self.field.label[i] == own && out(i) > begin, narrow)?;
+        let walls = |range| self.lines.covered(self.run.room, side, line * side.sense(), range) >= JAMB;
+        (to >= from && walls([from - BESIDE, from]) && walls([to, to + BESIDE])).then_some(cells)
     }
 }
