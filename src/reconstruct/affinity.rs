@@ -32,6 +32,53 @@ fn weight(arrangement: &Arrangement, edge: &Edge, lines: &[Line]) -> f64 {
     if length == 0.0 { 0.0 } else { (line.coverage(a, b) / length).min(1.0) }
 }
 
+/// The local affinity matrix: for each face the faces that it shares an edge with, itself among them, and how much it
+/// belongs together with each.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rows {
+    /// Where each row begins among the entries; at the end, how many there are.
+    begin: Vec<u32>,
+    entries: Vec<(u32, f64)>,
+}
+
+impl Rows {
+    /// How many rows there are.
+    pub fn count(&self) -> usize {
+        self.begin.len() - 1
+    }
+
+    /// The entries of a row by rising column.
+    pub fn row(&self, row: usize) -> &[(u32, f64)] {
+        &self.entries[self.begin[row] as usize..self.begin[row + 1] as usize]
+    }
+
+    /// The entry of this row and column.
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        let row = self.row(row);
+        row.binary_search_by_key(&(column as u32), |e| e.0).map_or(0.0, |i| row[i].1)
+    }
+
+    /// Rows from their entries in any order, `(row, column, value)`.
+    pub fn of(count: usize, entries: &[(u32, u32, f64)]) -> Self {
+        let mut begin = vec![0u32; count + 1];
+        entries.iter().for_each(|e| begin[e.0 as usize + 1] += 1);
+        for i in 0..count {
+            begin[i + 1] += begin[i];
+        }
+        let mut at = begin.clone();
+        let mut placed = vec![(0, 0.0); entries.len()];
+        for &(row, column, value) in entries {
+            placed[at[row as usize] as usize] = (column, value);
+            at[row as usize] += 1;
+        }
+        let mut rows = Self { begin, entries: placed };
+        for row in 0..count {
+            rows.entries[rows.begin[row] as usize..rows.begin[row + 1] as usize].sort_by_key(|e| e.0);
+        }
+        rows
+    }
+}
+
 /// The local affinity matrix A = D^-1 L by rows: (column, value) by rising column, without the zeros of faces that
 /// are not neighbours. Only edges between two faces that `member` holds for are seen.
 pub fn local_affinity(
@@ -40,24 +87,26 @@ pub fn local_affinity(
     weights: &[f64],
     params: &Affinity,
     member: impl Fn(usize) -> bool,
-) -> Vec<Vec<(usize, f64)>> {
-    let mut rows: Vec<Vec<(usize, f64)>> = (0..count).map(|f| vec![(f, 1.0)]).collect();
+) -> Rows {
+    let mut entries: Vec<(u32, u32, f64)> = (0..count as u32).map(|f| (f, f, 1.0)).collect();
     for (edge, weight) in edges.iter().zip(weights) {
         if let Some(right) = edge.right
             && member(edge.left)
             && member(right)
         {
             let likeness = (-weight / params.sigma).exp();
-            rows[edge.left].push((right, likeness));
-            rows[right].push((edge.left, likeness));
+            let (left, right) = (edge.left as u32, right as u32);
+            entries.extend([(left, right, likeness), (right, left, likeness)]);
         }
     }
-    rows.iter_mut().for_each(|row| normalise(row));
+    let mut rows = Rows::of(count, &entries);
+    for row in 0..count {
+        normalise(&mut rows.entries[rows.begin[row] as usize..rows.begin[row + 1] as usize]);
+    }
     rows
 }
 
-fn normalise(row: &mut [(usize, f64)]) {
-    row.sort_by_key(|e| e.0);
+fn normalise(row: &mut [(u32, f64)]) {
     let sum: f64 = row.iter().map(|e| e.1).sum();
     row.iter_mut().for_each(|e| e.1 /= sum);
 }
@@ -84,7 +133,7 @@ mod tests {
         assert!((weights[between] - 0.75).abs() < 1e-9);
         let rows = local_affinity(2, &edges, &weights, &Affinity::default(), |_| true);
         let likeness = (-7.5f64).exp();
-        assert!((rows[0][1].1 - likeness / (1.0 + likeness)).abs() < 1e-12);
-        assert!((rows[0].iter().map(|e| e.1).sum::<f64>() - 1.0).abs() < 1e-12);
+        assert!((rows.entry(0, 1) - likeness / (1.0 + likeness)).abs() < 1e-12);
+        assert!((rows.row(0).iter().map(|e| e.1).sum::<f64>() - 1.0).abs() < 1e-12);
     }
 }

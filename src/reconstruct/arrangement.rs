@@ -112,6 +112,7 @@ impl Arrangement {
     /// Splits the faces of the selection with a line, which gets this number. A face keeps its number for its part
     /// to the left of the line; the parts to the right are new.
     pub fn split(&mut self, number: usize, line: &Line, selected: impl Fn(usize) -> bool) {
+        let line = &Knife::of(line);
         let met = self.met(line, selected);
         for &face in &met {
             for half in self.halves_of(face) {
@@ -127,7 +128,7 @@ impl Arrangement {
     }
 
     /// The selected faces that have vertices on the line or on both its sides, by rising number.
-    fn met(&mut self, line: &Line, selected: impl Fn(usize) -> bool) -> Vec<u32> {
+    fn met(&mut self, line: &Knife, selected: impl Fn(usize) -> bool) -> Vec<u32> {
         self.marks.turn += 1;
         let turn = self.marks.turn;
         self.marks.faces.resize(self.first.len(), 0);
@@ -155,13 +156,13 @@ impl Arrangement {
     }
 
     /// Whether the line touches a side.
-    fn is_met(&mut self, half: u32, line: &Line) -> bool {
+    fn is_met(&mut self, half: u32, line: &Knife) -> bool {
         let [a, b] = [half, half ^ 1].map(|h| self.halves[h as usize].from);
         self.sign(a, line) * self.sign(b, line) <= 0
     }
 
     /// On which side of the line at work a vertex lies: 1 is left, -1 right, 0 on it.
-    fn sign(&mut self, vertex: u32, line: &Line) -> i8 {
+    fn sign(&mut self, vertex: u32, line: &Knife) -> i8 {
         let (turn, v) = (self.marks.turn, vertex as usize);
         self.marks.signs.resize(self.vertices.len().max(self.marks.signs.len()), (0, 0));
         let (of, known) = self.marks.signs[v];
@@ -189,7 +190,7 @@ impl Arrangement {
     }
 
     /// A new vertex where the line crosses a side.
-    fn cut(&mut self, half: u32, line: &Line) {
+    fn cut(&mut self, half: u32, line: &Knife) {
         let twin = half ^ 1;
         let [from, to] = [half, twin].map(|h| self.halves[h as usize].from);
         // Always seen from the older vertex, so that it is the same point from both faces.
@@ -215,7 +216,7 @@ impl Arrangement {
     }
 
     /// Parts a face along the line, if the line runs through two of its vertices and through its inside.
-    fn divide(&mut self, face: u32, number: u32, line: &Line) {
+    fn divide(&mut self, face: u32, number: u32, line: &Knife) {
         let halves = self.halves_of(face);
         let signs: Vec<i8> = halves.iter().map(|&h| self.sign(self.halves[h as usize].from, line)).collect();
         let Some((start, end)) = parts(&signs) else { return };
@@ -286,6 +287,25 @@ impl Arrangement {
     }
 }
 
+/// A line with its direction.
+struct Knife {
+    sin: f64,
+    cos: f64,
+    offset: f64,
+}
+
+impl Knife {
+    fn of(line: &Line) -> Self {
+        let (sin, cos) = line.angle.sin_cos();
+        Self { sin, cos, offset: line.offset }
+    }
+
+    /// Signed distance of a point, positive to the left, metres.
+    fn side(&self, p: Point) -> f64 {
+        p.y * self.cos - p.x * self.sin - self.offset
+    }
+}
+
 fn some(number: u32) -> Option<usize> {
     (number != NONE).then_some(number as usize)
 }
@@ -300,7 +320,7 @@ fn sign(side: f64) -> i8 {
     }
 }
 
-fn crossing(line: &Line, a: Point, b: Point) -> Point {
+fn crossing(line: &Knife, a: Point, b: Point) -> Point {
     let (da, db) = (line.side(a), line.side(b));
     let t = da / (da - db);
     Point::new(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y))

@@ -1,5 +1,6 @@
 //! Faces clustered to rooms: DBSCAN (Ester et al. 1996) on the local affinity matrix.
 
+use super::affinity::Rows;
 use super::boundary::Run;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -34,62 +35,58 @@ pub enum Metric {
 }
 
 /// The cluster of each face, numbered by their first face; `None` for faces that `member` does not hold for.
-pub fn cluster(
-    affinity: &[Vec<(usize, f64)>],
-    params: &Rooms,
-    member: impl Fn(usize) -> bool,
-) -> Vec<Option<usize>> {
-    let members = |faces: Vec<usize>| faces.into_iter().filter(|&f| member(f)).collect();
-    let near: Vec<Vec<usize>> = (0..affinity.len())
-        .map(|f| if member(f) { members(neighbourhood(affinity, f, params)) } else { Vec::new() })
+pub fn cluster(affinity: &Rows, params: &Rooms, member: impl Fn(usize) -> bool) -> Vec<Option<usize>> {
+    let faces = Faces { affinity, params };
+    let core: Vec<bool> = (0..affinity.count())
+        .map(|f| member(f) && faces.near(f).filter(|&f| member(f)).count() >= params.min_points)
         .collect();
-    let core: Vec<bool> = near.iter().map(|n| !n.is_empty() && n.len() >= params.min_points).collect();
-    let mut of = vec![None; affinity.len()];
+    let mut of = vec![None; affinity.count()];
     let mut count = 0;
-    for start in (0..affinity.len()).filter(|&f| member(f)) {
+    let mut open = Vec::new();
+    for start in 0..affinity.count() {
         if of[start].is_some() || !core[start] {
             continue;
         }
-        grow(start, count, &near, &core, &mut of);
+        of[start] = Some(count);
+        open.push(start);
+        while let Some(face) = open.pop() {
+            for other in faces.near(face).filter(|&f| member(f)) {
+                if of[other].is_none() {
+                    of[other] = Some(count);
+                    open.extend(Some(other).filter(|&f| core[f]));
+                }
+            }
+        }
         count += 1;
     }
     of
 }
 
-fn grow(start: usize, name: usize, near: &[Vec<usize>], core: &[bool], of: &mut [Option<usize>]) {
-    let mut queue = vec![start];
-    of[start] = Some(name);
-    while let Some(face) = queue.pop() {
-        for &other in &near[face] {
-            if of[other].is_none() {
-                of[other] = Some(name);
-                if core[other] {
-                    queue.push(other);
-                }
-            }
+struct Faces<'a> {
+    affinity: &'a Rows,
+    params: &'a Rooms,
+}
+
+impl Faces<'_> {
+    /// The face itself and all within epsilon of it.
+    fn near(&self, face: usize) -> impl Iterator<Item = usize> {
+        let within = move |&other: &usize| other == face || self.distance(face, other) <= self.params.epsilon;
+        self.affinity.row(face).iter().map(|e| e.0 as usize).filter(within)
+    }
+
+    fn distance(&self, a: usize, b: usize) -> f64 {
+        match self.params.metric {
+            Metric::Affinity => 1.0 - (self.affinity.entry(a, b) + self.affinity.entry(b, a)) / 2.0,
+            Metric::Rows => rows_apart(self.affinity.row(a), self.affinity.row(b)),
         }
     }
 }
 
-/// The face itself and all within epsilon of it.
-fn neighbourhood(affinity: &[Vec<(usize, f64)>], face: usize, params: &Rooms) -> Vec<usize> {
-    let distance = |other: usize| match params.metric {
-        Metric::Affinity => 1.0 - (entry(affinity, face, other) + entry(affinity, other, face)) / 2.0,
-        Metric::Rows => rows_apart(&affinity[face], &affinity[other]),
-    };
-    let within = |other: &usize| *other == face || distance(*other) <= params.epsilon;
-    affinity[face].iter().map(|e| e.0).filter(within).collect()
-}
-
-fn entry(affinity: &[Vec<(usize, f64)>], row: usize, column: usize) -> f64 {
-    affinity[row].binary_search_by_key(&column, |e| e.0).map_or(0.0, |i| affinity[row][i].1)
-}
-
 /// Euclidean distance of two sparse rows.
-fn rows_apart(a: &[(usize, f64)], b: &[(usize, f64)]) -> f64 {
+fn rows_apart(a: &[(u32, f64)], b: &[(u32, f64)]) -> f64 {
     let (mut i, mut j, mut sum) = (0, 0, 0.0);
     while i < a.len() || j < b.len() {
-        let (ca, cb) = (a.get(i).map_or(usize::MAX, |e| e.0), b.get(j).map_or(usize::MAX, |e| e.0));
+        let (ca, cb) = (a.get(i).map_or(u32::MAX, |e| e.0), b.get(j).map_or(u32::MAX, |e| e.0));
         let mut d = 0.0;
         if ca <= cb {
             d += a[i].1;
@@ -155,8 +152,10 @@ mod tests {
     #[test]
     fn open_faces_merge_and_walled_ones_do_not() {
         // Faces 0 and 1 are open to each other, 2 is behind a wall.
-        let a =
-            vec![vec![(0, 0.5), (1, 0.5)], vec![(0, 0.49), (1, 0.5), (2, 0.01)], vec![(1, 0.02), (2, 0.98)]];
+        let a = Rows::of(
+            3,
+            &[(0, 0, 0.5), (0, 1, 0.5), (1, 0, 0.49), (1, 1, 0.5), (1, 2, 0.01), (2, 1, 0.02), (2, 2, 0.98)],
+        );
         assert_eq!(cluster(&a, &Rooms::default(), |_| true), [Some(0), Some(0), Some(1)]);
         let rows = Rooms { metric: Metric::Rows, ..Rooms::default() };
         assert_eq!(cluster(&a, &rows, |_| true), [Some(0), Some(0), Some(1)]);
@@ -165,7 +164,7 @@ mod tests {
 
     #[test]
     fn lonely_faces_are_noise_when_more_points_are_asked() {
-        let a = vec![vec![(0, 1.0)]];
+        let a = Rows::of(1, &[(0, 0, 1.0)]);
         assert_eq!(cluster(&a, &Rooms { min_points: 2, ..Rooms::default() }, |_| true), [None]);
     }
 
