@@ -11,7 +11,9 @@ use super::progress::{Progress, Voice};
 use super::watch::{DebugFolder, ReadWatch, Watch};
 use crate::reconstruct::{Params, reconstruct};
 use clap::Args;
+use planform_sdk::parallel::{VARIABLE, set_threads};
 use planform_sdk::{Layout, OpeningKind, Options, RoomState, Scene};
+use std::num::NonZero;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -51,6 +53,9 @@ pub struct ConvertArgs {
     /// Paint what each step found into this folder, as `01-clutter.png` and so on; the adapter's own steps come first
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
+    /// Work on so many threads instead of one for each core; the result is the same
+    #[arg(long, value_name = "N", env = VARIABLE, hide_env_values = true)]
+    threads: Option<NonZero<usize>>,
     /// Tell each step and how long it took
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
@@ -75,6 +80,7 @@ impl ConvertArgs {
 }
 
 pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
+    args.threads.into_iter().for_each(set_threads);
     let registry = args.outside.registry(args.verbose)?;
     let targets = output::plan(&args.output, args.to.as_deref(), &registry)?;
     let mut params = args.method.params()?;

@@ -23,6 +23,7 @@ mod geometry;
 mod grid;
 mod layout;
 mod options;
+pub mod parallel;
 mod scene;
 pub mod schema;
 mod watch;

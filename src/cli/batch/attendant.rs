@@ -5,6 +5,7 @@ use super::memory::{MIB, held_by};
 use super::task::{Answer, Cause, Fault, Outcome, Task, Thumbnails, VERB};
 use crate::host::isolated::{Group, ended, overhear, receive, says_out_of_memory, send};
 use planform_sdk::PluginError;
+use planform_sdk::parallel::VARIABLE;
 use std::io::{self, BufReader};
 use std::path::Path;
 use std::process::{ChildStdout, Command, ExitStatus};
@@ -96,6 +97,9 @@ impl Patient {
         // Documents are worked on side by side: threads of its own would only stand in the way of others.
         if std::env::var_os("OMP_THREAD_LIMIT").is_none() {
             command.env("OMP_THREAD_LIMIT", "1");
+        }
+        if std::env::var_os(VARIABLE).is_none() {
+            command.env(VARIABLE, "1");
         }
         let (group, (mut input, output, errors)) = Group::start(command)?;
         // A process that is gone takes no task, and gives no answer either.

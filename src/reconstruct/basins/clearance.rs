@@ -3,8 +3,9 @@
 //! An exact Euclidean distance transform in two passes (Meijster, Roerdink and Hesselink, "A General Algorithm for
 //! Computing Distance Transforms in Linear Time", 2000).
 
-use super::super::runs::{Run, runs};
+use super::super::runs::runs;
 use super::space::Space;
+use planform_sdk::parallel;
 use std::ops::Range;
 
 /// The clearance of the free space.
@@ -17,42 +18,73 @@ pub struct Clearance {
 
 /// Measures the clearance of a space.
 pub fn measure(space: &Space) -> Clearance {
-    let mut below = nearest_below(space);
+    let width = space.width;
+    let mut nearest = nearest_in_columns(space);
     let mut metres = vec![0.0; space.free.len()];
-    let (width, height) = (space.width, space.height);
-    let mut runs: Vec<Run> = runs(&space.free, width, true).collect();
-    let mut envelope = Envelope::default();
-    // From the top down, so that the row above always has its final values.
-    let mut above: Vec<u32> = vec![height as u32 - 1; width];
-    let mut away: Vec<f64> = vec![0.0; width];
-    for row in (0..height).rev() {
-        let cells = row * width..(row + 1) * width;
-        nearest_in_column(row, &space.free[cells.clone()], &mut below[cells.clone()], &mut above);
-        while let Some(run) = runs.pop_if(|run| run.row == row) {
+    parallel::for_each_band_of_two(&mut nearest, &mut metres, width, |first, nearest, metres| {
+        let mut away = Away::default();
+        let rows = nearest.chunks_exact_mut(width).zip(metres.chunks_exact_mut(width));
+        for (row, (nearest, metres)) in (first..).zip(rows) {
+            away.across(space, row, nearest, metres);
+        }
+    });
+    Clearance { metres, nearest }
+}
+
+/// What a row is measured with.
+#[derive(Default)]
+struct Away {
+    /// For each cell the row of the nearest cell in its column, and the square of how far that is.
+    rows: Vec<u32>,
+    squares: Vec<f64>,
+    envelope: Envelope,
+}
+
+impl Away {
+    /// From the rows of the nearest cells in the columns to the nearest cells of a row.
+    fn across(&mut self, space: &Space, row: usize, nearest: &mut [u32], metres: &mut [f32]) {
+        let first = row * space.width;
+        self.rows.clear();
+        self.rows.extend_from_slice(nearest);
+        self.squares.clear();
+        self.squares.extend(nearest.iter().map(|&r| (f64::from(r) - row as f64).powi(2)));
+        nearest.iter_mut().zip(first as u32..).for_each(|(n, own)| *n = own);
+        for run in runs(&space.free[first..first + space.width], space.width, true) {
             // At either end is a cell that is not free: what lies beyond is not nearer.
-            let around = run.from - 1..run.to + 1;
-            for (a, &r) in away[around.clone()].iter_mut().zip(&above[around.clone()]) {
-                *a = (f64::from(r) - row as f64).powi(2);
-            }
-            envelope.build(&away[around.clone()]);
-            for (columns, part) in envelope.within(run.length() + 2) {
-                let nearest = above[around.start + part.column] * width as u32;
-                let first = cells.start + around.start;
-                below[first + columns.start..first + columns.end]
-                    .fill(nearest + (around.start + part.column) as u32);
-                let out = metres[first + columns.start..first + columns.end].iter_mut();
-                for (m, x) in out.zip(columns) {
+            let begin = run.from - 1;
+            self.envelope.build(&self.squares[begin..run.to + 1]);
+            for (columns, part) in self.envelope.within(run.length() + 2) {
+                let cell = self.rows[begin + part.column] as usize * space.width + begin + part.column;
+                let here = begin + columns.start..begin + columns.end;
+                nearest[here.clone()].fill(cell as u32);
+                for (m, x) in metres[here].iter_mut().zip(columns) {
                     let aside = x as f64 - part.x;
                     *m = ((part.away + aside * aside).sqrt() * space.resolution) as f32;
                 }
             }
         }
     }
-    Clearance { metres, nearest: below }
 }
 
-/// For each cell the row of the nearest cell below in its column that is not free. The border of a space is not free,
-/// so there always is one.
+/// For each cell the row of the nearest cell of its column that is not free. The border of a space is not free, so
+/// there always is one.
+fn nearest_in_columns(space: &Space) -> Vec<u32> {
+    let width = space.width;
+    let mut rows = nearest_below(space);
+    for row in (0..space.height - 1).rev() {
+        let (lower, upper) = rows.split_at_mut((row + 1) * width);
+        let free = &space.free[row * width..(row + 1) * width];
+        let at = row as u32;
+        for ((below, above), free) in lower[row * width..].iter_mut().zip(upper).zip(free) {
+            // The row above still may name a cell beneath.
+            let is_nearer = *free && *above > at && *above - at < at - *below;
+            *below = if is_nearer { *above } else { *below };
+        }
+    }
+    rows
+}
+
+/// For each cell the row of the nearest cell below in its column that is not free.
 fn nearest_below(space: &Space) -> Vec<u32> {
     let width = space.width;
     let mut rows = vec![0u32; width * space.height];
@@ -64,19 +96,6 @@ fn nearest_below(space: &Space) -> Vec<u32> {
         }
     }
     rows
-}
-
-/// Of a row for each cell the row of the nearest cell of its column that is not free: on entry, `above` holds those of
-/// the row above, and `below` the nearest ones below; they become the cells' own indices.
-fn nearest_in_column(row: usize, free: &[bool], below: &mut [u32], above: &mut [u32]) {
-    let first = (row * free.len()) as u32;
-    let at = row as u32;
-    for (column, ((a, b), free)) in above.iter_mut().zip(below).zip(free).enumerate() {
-        // The row above still may name a cell beneath.
-        let is_nearer = *free && *a > at && *a - at < at - *b;
-        *a = if is_nearer { *a } else { *b };
-        *b = first + column as u32;
-    }
 }
 
 /// A parabola `away + (column - x)^2`. All are whole numbers, in floating point as that divides faster; they are exact

@@ -29,6 +29,8 @@ pub fn reconstruct(
         return Err(ReconstructError::NoWalls);
     }
     let rooms = run.rooms(&cut, &scene.grid, &map);
+    // It is as large as all the rest.
+    drop(cut);
     let stated = shown.openings.as_deref().unwrap_or_default();
     let (known, main) = run.known(&map, &rooms, scene.grid.resolution(), stated);
     // Rooms that were not completed run as they did.

@@ -5,6 +5,7 @@ use super::hull::Hull;
 use super::passage::{Passage, View};
 use super::stated::Stated;
 use super::watershed::Basins;
+use planform_sdk::parallel;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Walls up to twice this thickness have a region on either side, metres.
@@ -100,6 +101,9 @@ impl<'a> Regions<'a> {
             let beside = pair(label[m.cell], label[m.other]);
             graph.boundaries.entry(beside).or_default().cells.push(m.cell as u32);
         });
+        let mut found: Vec<(&(u32, u32), &mut Boundary)> = graph.boundaries.iter_mut().collect();
+        let passages = parallel::map(found.len(), |i| view.passages(&found[i].1.cells));
+        found.iter_mut().zip(passages).for_each(|((_, b), passages)| b.passages = Some(passages));
         let pairs: Vec<(u32, u32)> = graph.boundaries.keys().copied().collect();
         for (a, b) in pairs {
             graph.regions[a as usize].beside.insert(b);

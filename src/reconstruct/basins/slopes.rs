@@ -5,6 +5,7 @@
 //! look at each cell's neighbours. Of two cells of equal height the one that comes first counts as higher.
 
 use super::space::Space;
+use planform_sdk::parallel;
 use std::ops::Range;
 
 /// The height of a cell that is on no slope.
@@ -53,16 +54,21 @@ impl Relief<'_> {
     fn ways(&self) -> Vec<u32> {
         let width = self.width;
         let mut ways = vec![0; self.height.len()];
-        for first in (width..self.height.len() - width).step_by(width) {
+        let last = self.height.len() / width - 1;
+        parallel::for_each(&mut ways, width, |row, ways| {
+            if row == 0 || row == last {
+                return;
+            }
+            let first = row * width;
             let row = |first: usize| self.height[first..first + width].windows(3);
             let rows = row(first - width).zip(row(first)).zip(row(first + width));
-            let targets = ways[first + 1..].iter_mut().zip(first as u32 + 1..);
+            let targets = ways[1..].iter_mut().zip(first as u32 + 1..);
             for (((below, here), above), (way, cell)) in rows.zip(targets) {
                 if here[1] != NEVER {
                     *way = cell.wrapping_add(step(below, here, above, width as u32));
                 }
             }
-        }
+        });
         ways
     }
 

@@ -5,6 +5,7 @@
 use super::clearance::Clearance;
 use super::slopes::{self, NEVER};
 use super::space::Space;
+use planform_sdk::parallel;
 
 /// How wide the clearance is smoothed before the cells are put in order, standard deviation in metres: two cells at
 /// 0.04 m, so that a jagged wall makes no ridge.
@@ -72,20 +73,25 @@ fn smoothed(space: &Space, metres: &[f32]) -> Vec<f32> {
     let reach = kernel.len() - 1;
     let (width, height) = (space.width, space.height);
     let mut out = vec![0.0f32; metres.len()];
-    // The smoothed rows around the one that is made, each in its turn; none of what is not free.
-    let mut across: Vec<Option<Vec<Block>>> = vec![None; 2 * reach + 1];
-    let mut padded = Vec::with_capacity(width + 2 * reach);
-    for ready in 0..height + reach {
-        if let Some(line) = metres.get(ready * width..(ready + 1) * width) {
-            across[ready % (2 * reach + 1)] = smoothed_row(line, &kernel, &mut padded);
+    parallel::for_each_band(&mut out, width, |first, band| {
+        // The smoothed rows around the one that is made, each in its turn; none of what is not free.
+        let mut across: Vec<Option<Vec<Block>>> = vec![None; 2 * reach + 1];
+        let mut padded = Vec::with_capacity(width + 2 * reach);
+        let mut ready = first.saturating_sub(reach);
+        for (row, target) in (first..).zip(band.chunks_exact_mut(width)) {
+            // Beyond the space all is as on its border: not free.
+            let around = row.saturating_sub(reach)..(row + reach + 1).min(height);
+            for from in ready..around.end {
+                let line = &metres[from * width..(from + 1) * width];
+                across[from % (2 * reach + 1)] = smoothed_row(line, &kernel, &mut padded);
+            }
+            ready = around.end;
+            let near = around.filter_map(|from| {
+                Some((kernel[from.abs_diff(row)], across[from % (2 * reach + 1)].as_deref()?))
+            });
+            weigh(&near.collect::<Vec<_>>(), target);
         }
-        let Some(row) = ready.checked_sub(reach) else { continue };
-        // Beyond the space all is as on its border: not free.
-        let near = (row.saturating_sub(reach)..(row + reach + 1).min(height)).filter_map(|from| {
-            Some((kernel[from.abs_diff(row)], across[from % (2 * reach + 1)].as_deref()?))
-        });
-        weigh(&near.collect::<Vec<_>>(), &mut out[row * width..(row + 1) * width]);
-    }
+    });
     out
 }
 

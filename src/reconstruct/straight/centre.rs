@@ -4,7 +4,7 @@ use super::super::inner;
 use super::super::outline::{Corner, Outline};
 use super::carrier::Carrier;
 use super::facing::{Beyond, Face, Stretch};
-use planform_sdk::Polygon;
+use planform_sdk::{Polygon, parallel};
 
 /// Half thicknesses along a face that differ by less are one, metres: they are measured in cells.
 const SAME: f64 = 0.03;
@@ -16,16 +16,15 @@ pub fn centres(
     faces: &[Face],
     stretches: &[Vec<Stretch>],
 ) -> Vec<Option<Polygon>> {
-    let mut next = 0;
-    let mut centres = Vec::with_capacity(floors.len());
+    let mut begin = vec![0];
     for floor in floors {
-        centres.push(floor.as_ref().map(|floor| {
-            let sides: usize = floor.rings().map(<[_]>::len).sum();
-            let own = next..next + sides;
-            next += sides;
-            grown(floor, &faces[own.clone()], &stretches[own])
-        }));
+        let sides = floor.iter().flat_map(Polygon::rings).map(<[_]>::len).sum::<usize>();
+        begin.push(begin[begin.len() - 1] + sides);
     }
+    let mut centres = parallel::map(floors.len(), |room| {
+        let own = begin[room]..begin[room + 1];
+        floors[room].as_ref().map(|floor| grown(floor, &faces[own.clone()], &stretches[own]))
+    });
     let own: Vec<Polygon> = floors.iter().map(|f| f.clone().unwrap_or_default()).collect();
     inner::part(&mut centres, &own);
     if fall_back(&mut centres, floors) {

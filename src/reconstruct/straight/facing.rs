@@ -3,7 +3,7 @@
 use super::carrier::Carrier;
 use super::outer;
 use super::{Labelled, Straight};
-use planform_sdk::{Point, Polygon, Segment, bounds};
+use planform_sdk::{Point, Polygon, Segment, bounds, parallel};
 
 /// Faces look at each other when their angles differ from opposite by less than this, as a cosine (15 degrees).
 const OPPOSITE: f64 = -0.966;
@@ -73,10 +73,7 @@ pub fn stretches(faces: &[Face], input: &Labelled<'_>, params: &Straight) -> Vec
             seen[from].extend(sight(faces, from, to, params.max_wall));
         }
     }
-    seen.into_iter()
-        .enumerate()
-        .map(|(i, sights)| outer::complete(&faces[i], nearest(sights), input, params))
-        .collect()
+    parallel::map(faces.len(), |i| outer::complete(&faces[i], nearest(&seen[i]), input, params))
 }
 
 /// The pairs of segments whose boxes are no farther apart than `reach`, in rising order.
@@ -115,7 +112,7 @@ fn sight(faces: &[Face], from: usize, to: usize, max_wall: f64) -> Option<Stretc
 }
 
 /// At every place the nearest of the faces that are seen from there; disjoint, rising.
-fn nearest(sights: Vec<Stretch>) -> Vec<Stretch> {
+fn nearest(sights: &[Stretch]) -> Vec<Stretch> {
     let mut cuts: Vec<f64> = sights.iter().flat_map(|s| [s.from, s.to]).collect();
     cuts.sort_by(f64::total_cmp);
     let mut found: Vec<Stretch> = Vec::new();

@@ -8,7 +8,7 @@ use super::pieces::Track;
 use super::simplify::simplify;
 use super::trace::{self, Cells, Ring, corner_point};
 use super::{Labelled, Plan, RoomPlan, Straight, centre, corners, facing, guard, joints, walls};
-use planform_sdk::{Point, Polygon};
+use planform_sdk::{Point, Polygon, parallel};
 
 /// The share of a room's area by which its polygon may differ from its cells, beyond what the tolerance allows.
 const MOST_DIFFERENCE: f64 = 0.02;
@@ -51,20 +51,20 @@ fn tolerance(input: &Labelled<'_>, params: &Straight) -> f64 {
 /// The cells of each room's floor with the rings around them; of a room that is all doorway, all.
 fn cells(input: &Labelled<'_>, label: &[u32], params: &Straight) -> Vec<Option<(Cells, Vec<Ring>)>> {
     let (whole, left) = (trace::boxes(input, input.label), trace::boxes(input, label));
-    let boxes = whole.into_iter().zip(left).enumerate();
-    let room = boxes.map(|(room, (whole, left))| {
-        let (label, around) = left.map_or((input.label, whole?), |around| (label, around));
+    parallel::map(whole.len(), |room| {
+        let (label, around) = left[room].map_or((input.label, whole[room]?), |around| (label, around));
         Some(Cells::of(input, label, room, around, params))
-    });
-    room.collect()
+    })
 }
 
 /// All borders of rooms, doorways included.
 fn tracks(input: &Labelled<'_>, tolerance: f64) -> Vec<Track> {
-    let boxes = trace::boxes(input, input.label).into_iter().enumerate();
-    let cells = boxes.filter_map(|(room, b)| Some(Cells::all(input, input.label, room, b?)));
-    let rings = cells.flat_map(|c| c.rings());
-    rings.map(|r| Track::of(&r, input.resolution, tolerance)).collect()
+    let boxes = trace::boxes(input, input.label);
+    let of_room = |room: usize| -> Vec<Track> {
+        let rings = boxes[room].map(|around| Cells::all(input, input.label, room, around).rings());
+        rings.iter().flatten().map(|r| Track::of(r, input.resolution, tolerance)).collect()
+    };
+    parallel::map(boxes.len(), of_room).into_iter().flatten().collect()
 }
 
 /// What rooms are drawn with.
@@ -79,23 +79,20 @@ struct Drawing<'a> {
 impl Drawing<'_> {
     /// The floors, disjoint.
     fn floors(&self, rooms: &[Option<(Cells, Vec<Ring>)>]) -> Vec<Option<Polygon>> {
-        let mut tracks: Vec<Around> = Vec::new();
-        for (room, cells) in rooms.iter().enumerate() {
-            let rings = cells.iter().flat_map(|(_, rings)| rings);
-            tracks.extend(rings.map(|r| Around { room, track: self.track(r, self.tolerance) }));
-        }
+        let of_room = |room: usize| -> Vec<Around> {
+            let rings = rooms[room].iter().flat_map(|(_, rings)| rings);
+            rings.map(|r| Around { room, track: self.track(r, self.tolerance) }).collect()
+        };
+        let mut tracks = parallel::map(rooms.len(), of_room).into_iter().flatten().collect::<Vec<_>>();
         align(&mut tracks, self.main, self.label, self.input, self.params);
-        let mut floors = Vec::with_capacity(rooms.len());
-        let mut rest = tracks.as_slice();
-        for (room, cells) in rooms.iter().enumerate() {
-            let (own, after) = rest.split_at(rest.partition_point(|a| a.room <= room));
-            floors.push(cells.as_ref().map(|(cells, rings)| self.floor(cells, rings, own)));
-            rest = after;
-        }
-        let exact: Vec<Polygon> = rooms
-            .iter()
-            .map(|c| c.as_ref().map_or_else(Polygon::default, |(_, rings)| self.exact(rings)))
-            .collect();
+        let (mut floors, exact): (Vec<_>, Vec<_>) = parallel::map(rooms.len(), |room| {
+            let own = tracks.partition_point(|a| a.room < room)..tracks.partition_point(|a| a.room <= room);
+            let cells = rooms[room].as_ref();
+            let floor = cells.map(|(cells, rings)| self.floor(cells, rings, &tracks[own]));
+            (floor, cells.map_or_else(Polygon::default, |(_, rings)| self.exact(rings)))
+        })
+        .into_iter()
+        .unzip();
         inner::part(&mut floors, &exact);
         inner::separate(&mut floors, &exact);
         floors

@@ -137,7 +137,7 @@ fn places(coarse: &Soft, looks: &[Look]) -> Vec<Place> {
     let across = |n: u32| n.div_ceil(TILE);
     let count = across(coarse.width) * across(coarse.height);
     let corner = |k: u32| [k % across(coarse.width) * TILE, k / across(coarse.width) * TILE];
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()) as u32;
+    let threads = planform_sdk::parallel::threads() as u32;
     let share = &|first: u32| {
         (first..count)
             .step_by(threads as usize)

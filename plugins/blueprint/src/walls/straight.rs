@@ -26,7 +26,7 @@ pub fn in_all_directions<T: Send>(
     visit: impl Fn(&Track, &mut T) + Sync,
 ) -> Vec<T> {
     let height = pixels.checked_div(width).unwrap_or(0);
-    let cores = thread::available_parallelism().map_or(1, usize::from).min(TURNS);
+    let cores = planform_sdk::parallel::threads().min(TURNS);
     let part = |core: usize| {
         let mut own = state();
         for turn in (core..TURNS).step_by(cores) {

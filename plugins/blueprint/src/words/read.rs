@@ -70,8 +70,7 @@ pub fn read(
 }
 
 fn workers(jobs: usize) -> usize {
-    let cores = std::thread::available_parallelism().map_or(1, |n| n.get());
-    cores.min(MOST_ENGINES).min(jobs.div_ceil(PER_ENGINE))
+    planform_sdk::parallel::threads().min(MOST_ENGINES).min(jobs.div_ceil(PER_ENGINE))
 }
 
 /// Reads one line the usual way round, and if that is not surely right, the other way as well.

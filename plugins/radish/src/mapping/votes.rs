@@ -3,7 +3,6 @@
 use super::Area;
 use super::beam::{Beam, beams};
 use crate::log::{Pose, Scan};
-use std::num::NonZero;
 use std::ops::Range;
 use std::sync::Mutex;
 use std::thread;
@@ -22,8 +21,7 @@ pub struct Votes {
 
 /// The votes for each cell of the area, row by row from the bottom.
 pub fn count(placed: &[(&Scan, Pose)], area: &Area, reach: f64) -> Vec<Votes> {
-    let threads = thread::available_parallelism().map_or(1, NonZero::get);
-    count_with(placed, area, reach, threads)
+    count_with(placed, area, reach, planform_sdk::parallel::threads())
 }
 
 /// The same with so many threads. Each cell is counted by one of them.

@@ -74,8 +74,7 @@ pub struct Matched {
 /// `progress` is told the share of the work that is done. The same scans give the same poses, whatever the number of
 /// threads.
 pub fn corrected(scans: &[Scan], params: &MatchingParams, progress: &mut dyn FnMut(f64)) -> Matched {
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    corrected_on(threads, scans, params, progress)
+    corrected_on(planform_sdk::parallel::threads(), scans, params, progress)
 }
 
 fn corrected_on(

@@ -42,6 +42,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/layout.rs"
     "plugins/sdk/src/lib.rs"
     "plugins/sdk/src/options.rs"
+    "plugins/sdk/src/parallel.rs"
     "plugins/sdk/src/scene.rs"
     "plugins/sdk/src/schema.rs"
     "plugins/sdk/src/watch.rs"
