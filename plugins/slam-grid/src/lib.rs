@@ -9,15 +9,18 @@
 
 mod bare;
 mod document;
+mod grey;
 mod metadata;
 mod mode;
 mod options;
 mod picture;
 mod probe;
 mod ros_map;
+mod runs;
 mod scalar;
 mod stated;
 mod unknown_grey;
+mod wide;
 
 use document::Kind;
 use planform_sdk::{Confidence, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene, Source};

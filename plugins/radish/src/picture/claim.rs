@@ -49,10 +49,10 @@ pub fn look(source: &Source) -> Option<Confidence> {
         return colourless();
     }
     let picture = Picture::decode(&source.bytes).ok()?;
-    let coloured = picture.coloured();
-    if !coloured.contains(&true) {
+    if !picture.shows_colour() {
         return colourless();
     }
+    let coloured = picture.coloured();
     let backdrop = backdrop::find(&picture, &coloured, wide::radius(RESOLUTION));
     let back = backdrop.contains(&true);
     let lines = coloured.iter().zip(&backdrop).filter(|(c, b)| **c && !**b).count();

@@ -93,6 +93,17 @@ impl Picture {
         self.pixels.pixels().map(|p| [p.0[0], p.0[1], p.0[2]])
     }
 
+    /// Whether any pixel is of a colour.
+    pub fn shows_colour(&self) -> bool {
+        let mut last = [0; 4];
+        // Pixels are mostly like the one before them.
+        self.pixels.as_chunks::<4>().0.iter().any(|&pixel| {
+            let new = pixel != last;
+            last = pixel;
+            new && spread(pixel) >= COLOURED.0
+        })
+    }
+
     /// Which pixels are of a colour, or of a tint near one.
     pub fn coloured(&self) -> Vec<bool> {
         let spread: Vec<u8> = self.pixels.pixels().map(|p| spread(p.0)).collect();
