@@ -121,7 +121,16 @@ impl Seen {
             } else {
                 self.codes.extend((0..columns.div_ceil(step)).map(|x| code(&row[x * step])));
             }
-            self.coloured.extend(row.iter().step_by(step).filter(|pixel| is_coloured(pixel)).map(&code));
+            // Pixels are mostly like the one before them.
+            let (mut last, mut coloured) = (&row[0], is_coloured(&row[0]));
+            for pixel in row.iter().step_by(step) {
+                if pixel != last {
+                    (last, coloured) = (pixel, is_coloured(pixel));
+                }
+                if coloured {
+                    self.coloured.push(code(pixel));
+                }
+            }
         }
     }
 }
