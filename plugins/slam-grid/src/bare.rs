@@ -6,18 +6,26 @@ use crate::picture::{Picture, Tone};
 use crate::runs::runs;
 use crate::unknown_grey::{Band, find};
 use image::ImageFormat;
-use planform_sdk::{Cell, ErrorKind, Grid, Options, PluginError, Pose, Provenance, Scene, Source};
+use planform_sdk::{Cell, ErrorKind, Grid, Kept, Options, PluginError, Pose, Provenance, Scene, Source};
 
 /// How far a pixel may be from a grey that the user gave.
 const TOLERANCE: u8 = 2;
 
 /// Reads the whole document: occupancy is darkness in percent, unknown where the grey says so.
-pub fn read(source: &Source, format: ImageFormat, options: &Options) -> Result<Scene, PluginError> {
+pub fn read(
+    source: &Source,
+    format: ImageFormat,
+    kept: Kept,
+    options: &Options,
+) -> Result<Scene, PluginError> {
     let unknown = options::unknown(options)?;
     let negate = options.flag("negate");
     let given = options.number("resolution");
     let resolution = given.unwrap_or(BARE_RESOLUTION);
-    let picture = Picture::decode(&source.bytes, format)?;
+    let picture = match kept.take() {
+        Some(decoded) => Picture::of(decoded)?,
+        None => Picture::decode(&source.bytes, format)?,
+    };
     let (width, height) = (picture.width(), picture.height());
     let greys = picture.map(|tone| grey(tone, negate));
     drop(picture);

@@ -35,6 +35,14 @@ impl Picture {
         DynamicImage::from_decoder(decoder).map(Self).map_err(|e| cannot_decode(&e))
     }
 
+    /// The picture that was decoded before, if it is no larger than one decoded here may be.
+    pub fn of(picture: DynamicImage) -> Result<Self, PluginError> {
+        let (width, height) = (picture.width(), picture.height());
+        Grid::check_size(width, height).map_err(refuse_size)?;
+        check_memory(width, height, picture.as_bytes().len() as u64)?;
+        Ok(Self(picture))
+    }
+
     /// Columns.
     pub fn width(&self) -> u32 {
         self.0.width()
@@ -87,7 +95,7 @@ where
 fn tone<S: Primitive + Into<f64>, const N: usize>(pixel: &[S; N]) -> Tone {
     let full: f64 = S::DEFAULT_MAX_VALUE.into();
     let (colours, alpha) = match pixel.split_last() {
-        Some((&alpha, colours)) if N % 2 == 0 => (colours, alpha.into() / full),
+        Some((&alpha, colours)) if N.is_multiple_of(2) => (colours, alpha.into() / full),
         _ => (pixel.as_slice(), 1.0),
     };
     let sum: f64 = colours.iter().map(|&c| c.into()).sum();
