@@ -87,13 +87,13 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     args.caps.limit(&mut params)?;
     targets.iter().try_for_each(|t| t.check(&args.input.input, args.force))?;
     let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
-    let opened = Opened::open(&args.input, args.caps.caps(), &registry, &exporters)?;
+    let mut opened = Opened::open(&args.input, args.caps.caps(), &registry, &exporters)?;
     tell_refusals(&registry, args.voice());
     let options = opened.options(&args.input.reading.settings(), &exporters)?;
     let folder = args.debug_dir.as_deref().map(|dir| DebugFolder::prepare(dir, args.force));
     let mut folder = folder.transpose()?;
     let (adapter_options, exporter_options) = options.split_at(1);
-    let scene = read(&opened, &adapter_options[0], args.voice(), folder.as_mut())?;
+    let scene = read(&mut opened, &adapter_options[0], args.voice(), folder.as_mut())?;
     folder.iter().try_for_each(|f| f.check(params.method.steps()))?;
     let run = Run { opened: &opened, scene: &scene, voice: args.voice() };
     let layout = run.finish(&params, folder.as_ref(), &targets, exporter_options, args.force)?;
@@ -104,7 +104,7 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
 }
 
 fn read(
-    opened: &Opened<'_>,
+    opened: &mut Opened<'_>,
     options: &Options,
     voice: Voice,
     folder: Option<&mut DebugFolder>,

@@ -5,7 +5,9 @@ use super::caps::Caps;
 use super::failure::shown;
 use crate::host::{Choice, Claim, Registry, Setting, run_options};
 use clap::Args;
-use planform_sdk::{ErrorKind, InputAdapter, Options, PluginError, PluginInfo, ReadWatcher, Scene, Source};
+use planform_sdk::{
+    ErrorKind, InputAdapter, Kept, Options, PluginError, PluginInfo, ReadWatcher, Scene, Source,
+};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -53,6 +55,7 @@ pub struct Opened<'a> {
     pub source: Source,
     adapter: &'a dyn InputAdapter,
     claims: Option<Vec<Claim<'a>>>,
+    kept: Kept,
     caps: Caps,
 }
 
@@ -66,10 +69,10 @@ impl<'a> Opened<'a> {
     ) -> Result<Self, Failure> {
         let path = args.input.as_path();
         let source = source(path, caps.bytes).map_err(|e| Failure::of_plugin(shown(path), e))?;
-        let Choice { adapter, claims } =
+        let Choice { adapter, claims, kept } =
             choose(&source, args.reading.from.as_deref(), &args.reading.settings(), registry, others)
                 .map_err(|e| Failure::of_plugin(shown(path), e))?;
-        Ok(Self { path, source, adapter, claims, caps })
+        Ok(Self { path, source, adapter, claims, kept, caps })
     }
 
     /// What each adapter says of the document.
@@ -92,9 +95,10 @@ impl<'a> Opened<'a> {
     }
 
     /// Reads the document.
-    pub fn read(&self, options: &Options, watcher: &mut dyn ReadWatcher) -> Result<Scene, Failure> {
+    pub fn read(&mut self, options: &Options, watcher: &mut dyn ReadWatcher) -> Result<Scene, Failure> {
+        let kept = std::mem::take(&mut self.kept);
         let scene = self.caps.check_source(&self.source, self.adapter).and_then(|()| {
-            let scene = self.adapter.read_watched(&self.source, options, watcher)?;
+            let scene = self.adapter.read_looked_at(&self.source, kept, options, watcher)?;
             self.caps.check_scene(&scene)?;
             Ok(scene)
         });

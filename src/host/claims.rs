@@ -1,7 +1,7 @@
 //! Whose document is it? Every input adapter is asked, the surest one wins.
 
 use super::{Registry, Setting, messages};
-use planform_sdk::{Confidence, ErrorKind, InputAdapter, PluginError, Probe, Source};
+use planform_sdk::{Confidence, ErrorKind, InputAdapter, Kept, PluginError, Probe, Source};
 use std::cmp::Reverse;
 use std::ops::Range;
 
@@ -28,6 +28,8 @@ pub struct Choice<'a> {
     pub adapter: &'a dyn InputAdapter,
     /// What each adapter says of the document; none if they were not asked.
     pub claims: Option<Vec<Claim<'a>>>,
+    /// What their looks at the document left for the one that reads it.
+    pub kept: Kept,
 }
 
 /// How sure a built-in adapter must be for those from outside not to be asked, percent.
@@ -41,6 +43,10 @@ impl Registry {
     /// Those from outside are asked only when no built-in one is sure. Where several are about as sure as the surest,
     /// each of these takes a closer look.
     pub fn claims(&self, source: &Source) -> Vec<Claim<'_>> {
+        self.claims_and_kept(source).0
+    }
+
+    fn claims_and_kept(&self, source: &Source) -> (Vec<Claim<'_>>, Kept) {
         let probe = Probe::of(source);
         let claim = |adapter: &dyn InputAdapter| adapter.probe(&probe);
         let claim = |adapter| Claim { adapter, probe: claim(adapter), look: None };
@@ -49,12 +55,13 @@ impl Registry {
             claims.extend(self.outside().adapters.iter().map(|a| a as &dyn InputAdapter).map(claim));
         }
         let tied = tied(&claims);
+        let mut kept = Kept::default();
         claims
             .iter_mut()
             .filter(|c| tied.contains(&c.probe.percent))
-            .for_each(|c| c.look = c.adapter.look(source));
+            .for_each(|c| c.look = c.adapter.look(source, &mut kept));
         claims.sort_by_key(|c| Reverse(c.percent()));
-        claims
+        (claims, kept)
     }
 
     /// The input adapter for the document: the one named; or else, of those that are about as sure as the surest, the
@@ -67,12 +74,12 @@ impl Registry {
     ) -> Result<Choice<'_>, PluginError> {
         if let Some(name) = name {
             let adapter = self.adapter(name).ok_or_else(|| self.no_such_adapter(name))?;
-            return Ok(Choice { adapter, claims: None });
+            return Ok(Choice { adapter, claims: None, kept: Kept::default() });
         }
-        let claims = self.claims(source);
+        let (claims, kept) = self.claims_and_kept(source);
         let surest = claims.first().filter(|c| c.percent() > 0).map(|c| c.adapter);
         let adapter = meant(&claims, settings).or(surest).ok_or_else(|| self.unclaimed())?;
-        Ok(Choice { adapter, claims: Some(claims) })
+        Ok(Choice { adapter, claims: Some(claims), kept })
     }
 
     fn no_such_adapter(&self, name: &str) -> PluginError {
@@ -151,7 +158,7 @@ mod tests {
             Confidence::because(self.probe, "its head")
         }
 
-        fn look(&self, _: &Source) -> Option<Confidence> {
+        fn look(&self, _: &Source, _: &mut Kept) -> Option<Confidence> {
             assert!(self.look != Some(u8::MAX), "there is nothing to decide");
             self.look.map(|percent| Confidence::because(percent, "the whole"))
         }

@@ -5,7 +5,8 @@ use crate::stages::{Stages, Unwatched};
 use crate::{claim, inputs, pipeline, scene};
 use image::RgbImage;
 use planform_sdk::{
-    Confidence, InputAdapter, Options, Picture, PluginError, PluginInfo, Probe, ReadWatcher, Scene, Source,
+    Confidence, InputAdapter, Kept, Options, Picture, PluginError, PluginInfo, Probe, ReadWatcher, Scene,
+    Source,
 };
 
 /// The adapter `blueprint`.
@@ -31,8 +32,8 @@ impl InputAdapter for Blueprint {
         claim::probe(probe)
     }
 
-    fn look(&self, source: &Source) -> Option<Confidence> {
-        claim::look(source)
+    fn look(&self, source: &Source, kept: &mut Kept) -> Option<Confidence> {
+        claim::look(source, kept)
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {

@@ -3,8 +3,9 @@
 
 use crate::inputs::{self, Kind};
 use crate::recognise;
+use image::DynamicImage;
 use image::ImageFormat;
-use planform_sdk::{Confidence, Probe, Source};
+use planform_sdk::{Confidence, Kept, Probe, Source};
 
 /// How sure the adapter is by the first bytes and the name.
 pub fn probe(probe: &Probe<'_>) -> Confidence {
@@ -18,9 +19,11 @@ pub fn probe(probe: &Probe<'_>) -> Confidence {
     }
 }
 
-/// How sure the adapter is of a picture by all of it.
-pub fn look(source: &Source) -> Option<Confidence> {
+/// How sure the adapter is of a picture by all of it. Keeps the picture for others.
+pub fn look(source: &Source, kept: &mut Kept) -> Option<Confidence> {
     let Kind::Picture(_) = inputs::kind(&source.path, &source.bytes)? else { return None };
-    let judgement = recognise::is_drawing(&inputs::glance(source).ok()?);
+    let picture = inputs::glance(source).ok()?;
+    let judgement = recognise::is_drawing(&picture);
+    kept.put::<DynamicImage>(picture);
     Some(Confidence::because(judgement.percent, format!("it shows {}", judgement.reason)))
 }

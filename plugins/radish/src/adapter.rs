@@ -4,8 +4,8 @@ use crate::options::{self, NAME, Request};
 use crate::picture::{self, PictureParams};
 use crate::{log, mapping, paint, poses, probe, unpack};
 use planform_sdk::{
-    Confidence, ErrorKind, InputAdapter, Options, PluginError, PluginInfo, Probe, Provenance, ReadWatcher,
-    Scene, Source,
+    Confidence, ErrorKind, InputAdapter, Kept, Options, PluginError, PluginInfo, Probe, Provenance,
+    ReadWatcher, Scene, Source,
 };
 
 /// The adapter `radish`.
@@ -31,8 +31,8 @@ impl InputAdapter for Radish {
         probe::probe(probe)
     }
 
-    fn look(&self, source: &Source) -> Option<Confidence> {
-        picture::look(source)
+    fn look(&self, source: &Source, kept: &mut Kept) -> Option<Confidence> {
+        picture::look(source, kept)
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {

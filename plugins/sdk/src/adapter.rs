@@ -1,6 +1,6 @@
 //! The trait of input adapters, and what the host hands them.
 
-use crate::{ErrorKind, Options, PluginError, PluginInfo, ReadWatcher, Scene};
+use crate::{ErrorKind, Kept, Options, PluginError, PluginInfo, ReadWatcher, Scene};
 use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io::Read;
@@ -21,8 +21,11 @@ pub trait InputAdapter: Send + Sync {
     /// How sure the adapter is after a closer look at the whole document, which may take as long as a small part of
     /// reading it. Built-in adapters are asked when several of them claim a document with about the same confidence,
     /// and the answer stands in place of the probe's. None is no other answer than that.
-    fn look(&self, source: &Source) -> Option<Confidence> {
-        let _ = source;
+    ///
+    /// Others may have kept the decoded picture of the document, and what is kept here saves others work. A picture that
+    /// is kept is one as stored, an `image::DynamicImage` decoded within the default limits of that crate.
+    fn look(&self, source: &Source, kept: &mut Kept) -> Option<Confidence> {
+        let _ = (source, kept);
         None
     }
 
@@ -46,6 +49,19 @@ pub trait InputAdapter: Send + Sync {
     ) -> Result<Scene, PluginError> {
         let _ = watcher;
         self.read(source, options)
+    }
+
+    /// Reads the document with the help of what looks at it left, and tells the watcher of every stage. What is read is
+    /// the same. An adapter that has no use for it leaves this as it is: what was kept is dropped before it reads.
+    fn read_looked_at(
+        &self,
+        source: &Source,
+        kept: Kept,
+        options: &Options,
+        watcher: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
+        drop(kept);
+        self.read_watched(source, options, watcher)
     }
 }
 

@@ -21,6 +21,7 @@ mod exporter;
 mod fitting;
 mod geometry;
 mod grid;
+mod kept;
 mod layout;
 mod options;
 pub mod parallel;
@@ -36,6 +37,7 @@ pub use exporter::{Document, Exporter, Output, WriteFn, exporter};
 pub use fitting::Fitting;
 pub use geometry::{Point, Polygon, Pose, Segment, bounds, ring_signed_area};
 pub use grid::{Cell, Grid, GridError, MAX_CELLS, MAX_SIDE};
+pub use kept::Kept;
 pub use layout::{
     Frontier, FrontierKind, GraphEdge, Layout, Opening, OpeningKind, RepresentativeLine, Room, RoomGraph,
     RoomId, RoomState, Wall,

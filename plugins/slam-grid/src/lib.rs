@@ -9,18 +9,23 @@
 
 mod bare;
 mod document;
+mod grey;
 mod metadata;
 mod mode;
 mod options;
 mod picture;
 mod probe;
 mod ros_map;
+mod runs;
 mod scalar;
 mod stated;
 mod unknown_grey;
+mod wide;
 
 use document::Kind;
-use planform_sdk::{Confidence, InputAdapter, Options, PluginError, PluginInfo, Probe, Scene, Source};
+use planform_sdk::{
+    Confidence, InputAdapter, Kept, Options, PluginError, PluginInfo, Probe, ReadWatcher, Scene, Source,
+};
 
 /// The adapter `slam-grid`.
 ///
@@ -54,9 +59,19 @@ impl InputAdapter for SlamGrid {
     }
 
     fn read(&self, source: &Source, options: &Options) -> Result<Scene, PluginError> {
+        self.read_looked_at(source, Kept::default(), options, &mut ())
+    }
+
+    fn read_looked_at(
+        &self,
+        source: &Source,
+        kept: Kept,
+        options: &Options,
+        _: &mut dyn ReadWatcher,
+    ) -> Result<Scene, PluginError> {
         match document::kind(source)? {
             Kind::Yaml => ros_map::read(source, options),
-            Kind::Picture(format) => bare::read(source, format, options),
+            Kind::Picture(format) => bare::read(source, format, kept, options),
         }
     }
 }

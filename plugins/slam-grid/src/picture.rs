@@ -1,6 +1,7 @@
 //! Decodes pictures within limits and hands out their pixels.
 
-use image::{DynamicImage, ImageBuffer, ImageDecoder, ImageFormat, ImageReader, Limits, Pixel, Primitive};
+use crate::runs::runs;
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, Primitive};
 use planform_sdk::{ErrorKind, Grid, GridError, PluginError};
 use std::io::Cursor;
 
@@ -34,6 +35,14 @@ impl Picture {
         DynamicImage::from_decoder(decoder).map(Self).map_err(|e| cannot_decode(&e))
     }
 
+    /// The picture that was decoded before, if it is no larger than one decoded here may be.
+    pub fn of(picture: DynamicImage) -> Result<Self, PluginError> {
+        let (width, height) = (picture.width(), picture.height());
+        Grid::check_size(width, height).map_err(refuse_size)?;
+        check_memory(width, height, picture.as_bytes().len() as u64)?;
+        Ok(Self(picture))
+    }
+
     /// Columns.
     pub fn width(&self) -> u32 {
         self.0.width()
@@ -49,44 +58,45 @@ impl Picture {
         self.0.color().has_alpha()
     }
 
-    /// Turns every pixel into a `T`, row by row from the **bottom**, as grids are stored.
-    pub fn map<T>(&self, f: impl FnMut(Tone) -> T) -> Vec<T> {
+    /// Turns every pixel into a `T`, row by row from the **bottom**, as grids are stored. `f` is asked once for each run
+    /// of equal pixels.
+    pub fn map<T: Copy>(&self, f: impl Fn(Tone) -> T) -> Vec<T> {
+        let columns = self.width() as usize;
         match &self.0 {
-            DynamicImage::ImageLuma8(b) => map_buffer(b, f),
-            DynamicImage::ImageLumaA8(b) => map_buffer(b, f),
-            DynamicImage::ImageRgb8(b) => map_buffer(b, f),
-            DynamicImage::ImageRgba8(b) => map_buffer(b, f),
-            DynamicImage::ImageLuma16(b) => map_buffer(b, f),
-            DynamicImage::ImageLumaA16(b) => map_buffer(b, f),
-            DynamicImage::ImageRgb16(b) => map_buffer(b, f),
-            DynamicImage::ImageRgba16(b) => map_buffer(b, f),
-            other => map_buffer(&other.to_rgba32f(), f),
+            DynamicImage::ImageLuma8(b) => map_rows::<_, 1, _>(b, columns, f),
+            DynamicImage::ImageLumaA8(b) => map_rows::<_, 2, _>(b, columns, f),
+            DynamicImage::ImageRgb8(b) => map_rows::<_, 3, _>(b, columns, f),
+            DynamicImage::ImageRgba8(b) => map_rows::<_, 4, _>(b, columns, f),
+            DynamicImage::ImageLuma16(b) => map_rows::<_, 1, _>(b, columns, f),
+            DynamicImage::ImageLumaA16(b) => map_rows::<_, 2, _>(b, columns, f),
+            DynamicImage::ImageRgb16(b) => map_rows::<_, 3, _>(b, columns, f),
+            DynamicImage::ImageRgba16(b) => map_rows::<_, 4, _>(b, columns, f),
+            other => map_rows::<_, 4, _>(&other.to_rgba32f(), columns, f),
         }
     }
 }
 
-fn map_buffer<P, T>(buffer: &ImageBuffer<P, Vec<P::Subpixel>>, mut f: impl FnMut(Tone) -> T) -> Vec<T>
+/// Turns every pixel of `N` samples, the rows from the last to the first.
+fn map_rows<S, const N: usize, T: Copy>(samples: &[S], columns: usize, f: impl Fn(Tone) -> T) -> Vec<T>
 where
-    P: Pixel,
-    P::Subpixel: Into<f64>,
+    S: Primitive + Into<f64>,
 {
-    let mut out = Vec::with_capacity(buffer.width() as usize * buffer.height() as usize);
-    for row in buffer.rows().rev() {
-        out.extend(row.map(|pixel| f(tone(pixel))));
+    let (pixels, _) = samples.as_chunks::<N>();
+    let mut out = Vec::with_capacity(pixels.len());
+    for row in pixels.chunks_exact(columns).rev() {
+        for run in runs(row) {
+            out.resize(out.len() + run.len(), f(tone(&run[0])));
+        }
     }
     out
 }
 
-fn tone<P>(pixel: &P) -> Tone
-where
-    P: Pixel,
-    P::Subpixel: Into<f64>,
-{
-    let full: f64 = P::Subpixel::DEFAULT_MAX_VALUE.into();
-    let channels = pixel.channels();
-    let (colours, alpha) = match channels.split_last() {
-        Some((&alpha, colours)) if P::HAS_ALPHA => (colours, alpha.into() / full),
-        _ => (channels, 1.0),
+/// The last of two or four samples is alpha.
+fn tone<S: Primitive + Into<f64>, const N: usize>(pixel: &[S; N]) -> Tone {
+    let full: f64 = S::DEFAULT_MAX_VALUE.into();
+    let (colours, alpha) = match pixel.split_last() {
+        Some((&alpha, colours)) if N.is_multiple_of(2) => (colours, alpha.into() / full),
+        _ => (pixel.as_slice(), 1.0),
     };
     let sum: f64 = colours.iter().map(|&c| c.into()).sum();
     // A picture of floats may hold anything; what is not a number is not known.
@@ -122,4 +132,53 @@ fn cannot_decode(e: &image::ImageError) -> PluginError {
         _ => (ErrorKind::BadInput, "the file may be damaged or cut short: save or copy it again"),
     };
     PluginError::new(kind, format!("the picture cannot be decoded: {e}")).advise(advice)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::{ImageBuffer, Luma, LumaA, Pixel, Rgb, Rgba};
+    use proptest::prelude::*;
+
+    /// Samples of which neighbours are often equal.
+    fn samples() -> impl Strategy<Value = Vec<u8>> {
+        proptest::collection::vec(prop_oneof![Just(0_u8), Just(205), Just(255), any::<u8>()], 4..400)
+    }
+
+    /// Five columns of pixels made of these samples.
+    fn buffer<P: Pixel<Subpixel = u8>>(samples: &[u8]) -> ImageBuffer<P, Vec<u8>> {
+        let row = 5 * usize::from(P::CHANNEL_COUNT);
+        let rows = samples.len().div_ceil(row);
+        let all = samples.iter().copied().cycle().take(rows * row).collect();
+        ImageBuffer::from_raw(5, rows as u32, all).unwrap()
+    }
+
+    /// Mean and alpha of each pixel, by asking for one pixel after the other.
+    fn plain<P: Pixel<Subpixel = u8>>(buffer: &ImageBuffer<P, Vec<u8>>) -> Vec<[u64; 2]> {
+        let of = |pixel: &P| {
+            let alpha = if P::HAS_ALPHA { pixel.channels()[pixel.channels().len() - 1] } else { 255 };
+            let colours = &pixel.channels()[..pixel.channels().len() - usize::from(P::HAS_ALPHA)];
+            let sum: f64 = colours.iter().map(|&c| f64::from(c)).sum();
+            bits(Tone { shade: sum / colours.len() as f64 / 255.0, alpha: f64::from(alpha) / 255.0 })
+        };
+        buffer.rows().rev().flat_map(|row| row.map(of)).collect()
+    }
+
+    fn bits(tone: Tone) -> [u64; 2] {
+        [tone.shade.to_bits(), tone.alpha.to_bits()]
+    }
+
+    proptest! {
+        #[test]
+        fn every_pixel_is_turned(samples in samples()) {
+            let grey = buffer::<Luma<u8>>(&samples);
+            prop_assert_eq!(Picture(grey.clone().into()).map(bits), plain(&grey));
+            let veiled = buffer::<LumaA<u8>>(&samples);
+            prop_assert_eq!(Picture(veiled.clone().into()).map(bits), plain(&veiled));
+            let rgb = buffer::<Rgb<u8>>(&samples);
+            prop_assert_eq!(Picture(rgb.clone().into()).map(bits), plain(&rgb));
+            let rgba = buffer::<Rgba<u8>>(&samples);
+            prop_assert_eq!(Picture(rgba.clone().into()).map(bits), plain(&rgba));
+        }
+    }
 }

@@ -89,7 +89,7 @@ fn picture_warnings(rules: &Rules, picture: &Picture) -> Vec<String> {
 
 /// Whether at least one pixel in a hundred has the grey.
 fn holds_saved_unknown(picture: &Picture) -> bool {
-    let mut count = 0_u64;
-    let total = picture.map(|tone| count += u64::from(tone.shade == SAVED_UNKNOWN.shade)).len() as u64;
-    count * 100 >= total
+    let saved = picture.map(|tone| tone.shade == SAVED_UNKNOWN.shade);
+    let count = saved.iter().filter(|&&saved| saved).count();
+    count * 100 >= saved.len()
 }

@@ -9,8 +9,13 @@
 //! filled with it. Several greys may be. A picture of nothing but the three greys of `map_saver` (0, 205, 254)
 //! needs no such proof: its 205 is unknown.
 
+use crate::grey::Grey;
+use crate::runs::runs;
+use crate::wide;
+use std::ops::RangeInclusive;
+
 /// The greys that can be unknown: darker is a wall, lighter is free.
-const MIDDLE: std::ops::RangeInclusive<u8> = 90..=239;
+const MIDDLE: RangeInclusive<u8> = 90..=239;
 /// The least share of the pixels that lie in wide areas of an unknown grey.
 const WIDE_SHARE: f64 = 0.03;
 /// Half the side of the square that makes an area wide, metres: more than half of any wall's thickness.
@@ -44,29 +49,35 @@ impl Band {
     pub fn contains(self, grey: u8) -> bool {
         (self.low..=self.high).contains(&grey)
     }
+
+    /// The greys.
+    pub fn greys(self) -> RangeInclusive<Grey> {
+        Grey::of(self.low)..=Grey::of(self.high)
+    }
 }
 
-/// The bands of greys that mean unknown, the most frequent first. `greys` are the pixels row by row, `None` where
-/// transparent; `width` is the length of a row and `resolution` metres per pixel.
-pub fn find(greys: &[Option<u8>], width: usize, resolution: f64) -> Vec<Band> {
+/// The bands of greys that mean unknown, the most frequent first. `greys` are the pixels row by row; `width` is the
+/// length of a row and `resolution` metres per pixel.
+pub fn find(greys: &[Grey], width: usize, resolution: f64) -> Vec<Band> {
     let histogram = Histogram::of(greys);
     if histogram.is_saved() {
         return vec![Band::around(SAVED_UNKNOWN, 0)];
     }
     let least = (WIDE_SHARE * greys.len() as f64).ceil() as u64;
-    let radius = ((WIDE_RADIUS / resolution).round() as usize).clamp(2, 50);
+    let radius = ((WIDE_RADIUS / resolution).round() as u8).clamp(2, 50);
     let mut bands = histogram.peaks(least);
-    bands.retain(|&band| wide_pixels(greys, width, radius, band) >= least);
+    bands.retain(|&band| wide::reaches(least, greys, width, radius, band));
     bands
 }
 
-struct Histogram([u64; 256]);
+/// How many pixels have each grey; the last count is of those that are transparent.
+struct Histogram([u64; Grey::COUNT]);
 
 impl Histogram {
-    fn of(greys: &[Option<u8>]) -> Self {
-        let mut counts = [0; 256];
-        for grey in greys.iter().flatten() {
-            counts[usize::from(*grey)] += 1;
+    fn of(greys: &[Grey]) -> Self {
+        let mut counts = [0; Grey::COUNT];
+        for run in runs(greys) {
+            counts[run[0].index()] += run.len() as u64;
         }
         Self(counts)
     }
@@ -118,30 +129,6 @@ impl Histogram {
     }
 }
 
-/// How many pixels lie in the middle of a square, cut off at the picture's border, that the band fills.
-fn wide_pixels(greys: &[Option<u8>], width: usize, radius: usize, band: Band) -> u64 {
-    let side = 2 * radius + 1;
-    let filled = |grey: &Option<u8>| grey.is_some_and(|g| band.contains(g));
-    // For each column, how many rows up to here are filled to both sides: beyond the border all are.
-    let mut rows_filled = vec![radius; width];
-    let beyond = std::iter::repeat_n(None, radius);
-    let mut count = 0;
-    for row in greys.chunks(width).map(Some).chain(beyond) {
-        // The first column that may be wide again, as no gap is within the radius.
-        let mut clear_from = 0;
-        let mut gaps =
-            row.into_iter().flatten().enumerate().filter(|(_, g)| !filled(g)).map(|(x, _)| x).peekable();
-        for (x, rows) in rows_filled.iter_mut().enumerate() {
-            while let Some(gap) = gaps.next_if(|&gap| gap <= x + radius) {
-                clear_from = gap + radius + 1;
-            }
-            *rows = if x >= clear_from { *rows + 1 } else { 0 };
-            count += u64::from(*rows >= side);
-        }
-    }
-    count
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -149,31 +136,29 @@ mod tests {
     const WIDTH: usize = 100;
 
     /// A picture of 100 x 100 pixels, white but for these rectangles [left, top, width, height, grey].
-    fn draw(rectangles: &[[usize; 5]]) -> Vec<Option<u8>> {
-        let mut pixels = vec![Some(255); WIDTH * WIDTH];
+    fn draw(rectangles: &[[usize; 5]]) -> Vec<Grey> {
+        let mut pixels = vec![Grey::of(255); WIDTH * WIDTH];
         for &[left, top, width, height, grey] in rectangles {
             for y in top..top + height {
-                pixels[y * WIDTH + left..][..width].fill(Some(grey as u8));
+                pixels[y * WIDTH + left..][..width].fill(Grey::of(grey as u8));
             }
         }
         pixels
     }
 
-    fn found(pixels: &[Option<u8>]) -> Vec<Band> {
+    fn found(pixels: &[Grey]) -> Vec<Band> {
         find(pixels, WIDTH, 0.05)
     }
 
     /// Noise as JPEG leaves it: a hill of some greys to either side.
-    fn noisy(pixels: &[Option<u8>]) -> Vec<Option<u8>> {
+    fn noisy(pixels: &[Grey]) -> Vec<Grey> {
         let mut state = 1_u32;
         let mut step = || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (state >> 24) as i32 % 5 - 2
         };
-        pixels
-            .iter()
-            .map(|p| p.map(|g| (i32::from(g) + step() + step() + step()).clamp(0, 255) as u8))
-            .collect()
+        let mut blur = |grey: &Grey| (grey.index() as i32 + step() + step() + step()).clamp(0, 255) as u8;
+        pixels.iter().map(|grey| Grey::of(blur(grey))).collect()
     }
 
     const ROOM: [usize; 5] = [30, 30, 40, 40, 255];
@@ -228,20 +213,8 @@ mod tests {
 
     #[test]
     fn what_map_saver_wrote_is_known_however_small() {
-        let pixels = [Some(0), Some(205), Some(254), Some(254)];
+        let pixels = [0, 205, 254, 254].map(Grey::of);
         assert_eq!(find(&pixels, 2, 0.05), [Band::around(205, 0)]);
-        assert_eq!(find(&[Some(205)], 1, 0.05), [Band::around(205, 0)]);
-    }
-
-    #[test]
-    fn squares_are_cut_off_at_the_border() {
-        let grey = Band::around(100, 0);
-        let pixels = vec![Some(100); 12];
-        assert_eq!(wide_pixels(&pixels, 4, 2, grey), 12);
-        let mut pixels = vec![Some(100); 49];
-        pixels[24] = None;
-        // Around the gap in the middle of 7 x 7, a square of 5 x 5 has a filled square no more.
-        assert_eq!(wide_pixels(&pixels, 7, 2, grey), 49 - 25);
-        assert_eq!(wide_pixels(&pixels, 7, 50, grey), 0);
+        assert_eq!(find(&[Grey::of(205)], 1, 0.05), [Band::around(205, 0)]);
     }
 }

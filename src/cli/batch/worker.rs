@@ -9,11 +9,11 @@ use crate::cli::failure::{Failure, catch_bugs};
 use crate::cli::input::{choose, culprit};
 use crate::cli::output::Target;
 use crate::host::isolated::{Limits, end_at_once, own_output, receive, send};
-use crate::host::{OutsideSettings, Registry, Setting, messages, run_options};
+use crate::host::{Choice, OutsideSettings, Registry, Setting, messages, run_options};
 use crate::reconstruct::reconstruct;
 use planform_sdk::{
-    ErrorKind, InputAdapter, Layout, OpeningKind, Options, Picture, PluginError, PluginInfo, ReadWatcher,
-    RoomState, Scene, Source,
+    ErrorKind, InputAdapter, Kept, Layout, OpeningKind, Options, Picture, PluginError, PluginInfo,
+    ReadWatcher, RoomState, Scene, Source,
 };
 use std::ffi::OsString;
 use std::fs::File;
@@ -114,9 +114,9 @@ impl Work<'_> {
         let source = self.open()?;
         let targets = self.targets(&registry)?;
         let exporters: Vec<_> = targets.iter().map(|t| t.exporter.info()).collect();
-        let adapter = self.adapter(&source, &registry, &exporters)?;
+        let Choice { adapter, kept, .. } = self.choose(&source, &registry, &exporters)?;
         let options = self.options(adapter, &exporters)?;
-        let scene = self.read(adapter, &source, &options[0])?;
+        let scene = self.read(adapter, &source, kept, &options[0])?;
         let layout = reconstruct(&scene, &self.task.how.params, &mut ());
         let layout = layout.map_err(|e| self.fault(Cause::Document, e))?;
         self.thumbnails.after = thumbnail::of_layout(&layout);
@@ -193,16 +193,16 @@ impl Work<'_> {
         self.task.outputs.iter().map(target).collect()
     }
 
-    fn adapter<'r>(
+    fn choose<'r>(
         &self,
         source: &Source,
         registry: &'r Registry,
         exporters: &[&PluginInfo],
-    ) -> Result<&'r dyn InputAdapter, Stop> {
+    ) -> Result<Choice<'r>, Stop> {
         let how = &self.task.how;
         let settings = [how.settings.as_slice(), &how.own_settings].concat();
         match choose(source, how.from.as_deref(), &settings, registry, exporters) {
-            Ok(choice) => Ok(choice.adapter),
+            Ok(choice) => Ok(choice),
             Err(e) if e.kind == ErrorKind::Unsupported && !self.is_promised(registry) => {
                 Err(Stop::LeftOut("is no document that planform knows".into()))
             }
@@ -232,12 +232,13 @@ impl Work<'_> {
         &mut self,
         adapter: &dyn InputAdapter,
         source: &Source,
+        kept: Kept,
         options: &Options,
     ) -> Result<Scene, Fault> {
         let mut watcher = FirstPicture::default();
         let caps = self.task.how.caps;
         let read = caps.check_source(source, adapter).and_then(|()| {
-            let scene = adapter.read_watched(source, options, &mut watcher)?;
+            let scene = adapter.read_looked_at(source, kept, options, &mut watcher)?;
             caps.check_scene(&scene)?;
             Ok(scene)
         });

@@ -1,15 +1,14 @@
 //! What a sample of a picture shows.
 
-use super::sample::{Sample, Tone};
+use super::counts::{Counts, FLAT, above, flat};
+use super::sample::{CLEAR, Code, Sample};
+use std::ops::Range;
 
 /// Tones from this one on are white.
 const WHITE: u8 = 246;
 
 /// What is lighter than its surroundings is lighter by more than this.
 const LIGHTER: u8 = 10;
-
-/// A flat tone varies by at most this much, also where it was compressed.
-const FLAT: u8 = 3;
 
 /// The least share of the surroundings that is one tone, if they are flat.
 const SAME: f64 = 0.55;
@@ -86,40 +85,31 @@ pub struct Facts {
     pub page: bool,
 }
 
-/// A flat tone and the share of the places looked at that have it.
-#[derive(Debug, Clone, Copy)]
-struct Common {
-    tone: Tone,
-    share: f64,
-}
-
 impl Facts {
     /// Looks at a sample.
     pub fn of(sample: &Sample) -> Self {
         let surround = surround(sample);
-        let above = match surround {
-            Surround::Flat(tone) | Surround::Inside(tone) => tone.saturating_add(LIGHTER),
-            _ => WHITE - 1,
+        let light = match surround {
+            Surround::Flat(tone) | Surround::Inside(tone) => above(tone, LIGHTER),
+            _ => WHITE.into()..CLEAR,
         };
-        let is_light = |i: usize| sample.tones[i].is_some_and(|tone| tone > above);
-        let areas = sample.areas(width(sample, AREA), is_light);
         Self {
             surround,
             colour: colour(sample, surround),
-            light: sample.share(is_light),
-            light_areas: sample.share(|i| areas[i]),
-            page: is_page(sample, is_light),
+            light: sample.share(sample.tones.sum(light.clone())),
+            light_areas: sample.in_areas(width(sample, AREA), light.clone()),
+            page: is_page(sample, light),
         }
     }
 }
 
 /// A share of the longer side, pixels of the sample.
-fn width(sample: &Sample, share: f64) -> usize {
-    ((sample.side() as f64 * share).round() as usize).max(4)
+fn width(sample: &Sample, share: f64) -> u8 {
+    ((sample.side() as f64 * share).round() as u8).max(4)
 }
 
 fn surround(sample: &Sample) -> Surround {
-    let margin = common(&margin(sample));
+    let margin = margin(sample).common();
     match margin.tone {
         _ if margin.share < SAME => unknown_inside(sample).unwrap_or(Surround::Uneven),
         None => Surround::Transparent,
@@ -130,28 +120,16 @@ fn surround(sample: &Sample) -> Surround {
 }
 
 /// The tones in the picture's margin.
-fn margin(sample: &Sample) -> Vec<Tone> {
+fn margin(sample: &Sample) -> Counts {
     let depth = ((sample.side() as f64 * MARGIN).round() as usize).max(1);
-    let outside = |at: usize, length: usize| at < depth || at + depth >= length;
-    let places = (0..sample.tones.len())
-        .filter(|i| outside(i % sample.width, sample.width) || outside(i / sample.width, sample.height));
-    places.map(|i| sample.tones[i]).collect()
+    let in_margin = |y: usize| y < depth || y + depth >= sample.height;
+    let rows = sample.rows().enumerate();
+    Counts::of(rows.flat_map(|(y, row)| ends(row, if in_margin(y) { row.len() } else { depth })).flatten())
 }
 
-/// The most common flat tone.
-fn common(tones: &[Tone]) -> Common {
-    let mut counts = [0usize; 256];
-    tones.iter().flatten().for_each(|&tone| counts[usize::from(tone)] += 1);
-    let around = |tone: u8| {
-        let range = usize::from(tone.saturating_sub(FLAT))..=usize::from(tone.saturating_add(FLAT));
-        counts[range].iter().sum::<usize>()
-    };
-    // Of the tones around which as many lie, the most common one.
-    let key = |&tone: &u8| (around(tone), counts[usize::from(tone)]);
-    let best = (0..=u8::MAX).max_by_key(key).unwrap_or(u8::MAX);
-    let clear = tones.iter().filter(|tone| tone.is_none()).count();
-    let (tone, count) = if clear > around(best) { (None, clear) } else { (Some(best), around(best)) };
-    Common { tone, share: count as f64 / tones.len().max(1) as f64 }
+/// The first and the last pixels of a row, `depth` of them at either end.
+fn ends(row: &[Code], depth: usize) -> [&[Code]; 2] {
+    if 2 * depth >= row.len() { [row, &[]] } else { [&row[..depth], &row[row.len() - depth..]] }
 }
 
 /// The tone of unknown space that does not surround everything.
@@ -162,93 +140,100 @@ fn unknown_inside(sample: &Sample) -> Option<Surround> {
 /// The flat grey that a map has beside white and black, where the map was cut out so closely that its free space or its
 /// walls reach the picture's margin.
 fn cut_through(sample: &Sample) -> Option<u8> {
-    let greys: Vec<Tone> = margin(sample);
-    let between = |tone: &Tone| tone.is_some_and(|t| (DARK..WHITE).contains(&t));
-    let count = greys.len();
-    let greys: Vec<Tone> = greys.into_iter().filter(between).collect();
-    let most = common(&greys);
-    let tone = most.tone.filter(|_| most.share * greys.len() as f64 >= CUT * count as f64)?;
-    let near = |t: u8| t.abs_diff(tone) <= FLAT;
-    let three = sample.share(|i| sample.tones[i].is_some_and(|t| !(DARK..WHITE).contains(&t) || near(t)));
+    let between: Range<Code> = DARK.into()..WHITE.into();
+    let margin = margin(sample);
+    let greys = margin.within(between.clone());
+    let most = greys.common();
+    let tone = most.tone.filter(|_| most.share * greys.all() as f64 >= CUT * margin.all() as f64)?;
+    let others = sample.tones.sum(0..between.start) + sample.tones.sum(between.end..CLEAR);
+    let three = sample.share(others + sample.tones.within(between).sum(flat(tone)));
     (three >= THREE_TONES && is_grey(sample) && in_areas(sample, tone, CUT_AREA) >= CUT).then_some(tone)
 }
 
 fn is_grey(sample: &Sample) -> bool {
-    sample.share(|i| sample.coloured[i]) < PALE
+    sample.share(sample.coloured.all()) < PALE
 }
 
 /// The share of the picture that areas of a flat tone cover, if they are at least so wide.
 fn in_areas(sample: &Sample, tone: u8, least: f64) -> f64 {
-    let near = |i: usize| sample.tones[i].is_some_and(|t| t.abs_diff(tone) <= FLAT);
-    let areas = sample.areas(width(sample, least), near);
-    sample.share(|i| areas[i])
+    sample.in_areas(width(sample, least), flat(tone))
 }
 
 /// The flat tone that lies all around behind white: a map was turned, or cut out, and the corners are white. A
 /// drawing has strokes there, which are no areas.
 fn behind_paper(sample: &Sample) -> Option<u8> {
-    let first = common(&first_tones(sample));
+    let first = first_tones(sample).common();
     let tone = first.tone.filter(|&tone| first.share >= SAME && tone >= DARK && is_grey(sample))?;
     (in_areas(sample, tone, BEHIND_AREA) >= BEHIND).then_some(tone)
 }
 
 /// What comes first behind white, from all four sides: the darkest tone within [`FIRST`] pixels.
-fn first_tones(sample: &Sample) -> Vec<Tone> {
-    let (width, height) = (sample.width, sample.height);
-    let rows = (0..height).map(|y| (0..width).map(|x| sample.tone(x, y)).collect());
-    let columns = (0..width).map(|x| (0..height).map(|y| sample.tone(x, y)).collect());
-    let lines: Vec<Vec<Tone>> = rows.chain(columns).collect();
-    let both = lines.iter().flat_map(|line| [first(line.iter()), first(line.iter().rev())]);
-    both.flatten().map(Some).collect()
+fn first_tones(sample: &Sample) -> Counts {
+    let of_rows = sample.rows().flat_map(|row| [first(row), first(row.iter().rev())]);
+    let columns = (0..sample.width).map(|x| sample.column(x));
+    let of_columns = columns.flat_map(|column| [first(column.clone()), first(column.rev())]);
+    Counts::of(of_rows.chain(of_columns).flatten())
 }
 
-fn first<'a>(line: impl Iterator<Item = &'a Tone>) -> Option<u8> {
-    let behind = line.skip_while(|tone| tone.is_none_or(|t| t >= WHITE));
-    behind.take(FIRST).flatten().copied().min()
+fn first<'a>(line: impl IntoIterator<Item = &'a Code>) -> Option<&'a Code> {
+    // What is transparent has the largest code.
+    line.into_iter().skip_while(|code| **code >= WHITE.into()).take(FIRST).min()
 }
 
 /// Whether what is a little lighter than the surroundings is as much as what a shadow makes.
 fn is_lit_unevenly(sample: &Sample, tone: u8) -> bool {
-    let little = |t: u8| t > tone.saturating_add(FLAT) && t <= tone.saturating_add(LIGHTER);
-    sample.share(|i| sample.tones[i].is_some_and(little)) > SHADED
+    let little = above(tone, FLAT).start..above(tone, LIGHTER).start;
+    sample.share(sample.tones.sum(little)) > SHADED
 }
 
 fn colour(sample: &Sample, surround: Surround) -> f64 {
-    let of_surround = |tone: Tone| match (surround, tone) {
-        (Surround::Flat(s) | Surround::Inside(s), Some(t)) => t.abs_diff(s) <= FLAT,
-        _ => false,
+    let of_surround = match surround {
+        Surround::Flat(tone) | Surround::Inside(tone) => sample.coloured.sum(flat(tone)),
+        _ => 0,
     };
-    sample.share(|i| sample.coloured[i] && !of_surround(sample.tones[i]))
+    sample.share(sample.coloured.all() - of_surround)
 }
 
 /// Whether what is light is a sheet: its box is all paper along its sides, and something is drawn on it. The rooms of
 /// a map have walls between them.
-fn is_page(sample: &Sample, is_light: impl Fn(usize) -> bool) -> bool {
-    let Some([left, top, right, bottom]) = extent(sample, &is_light) else { return false };
-    let depth = width(sample, PAGE_MARGIN);
-    if right - left < 4 * depth || bottom - top < 4 * depth {
+fn is_page(sample: &Sample, light: Range<Code>) -> bool {
+    let Some([columns, rows]) = extent(sample, &light) else { return false };
+    let depth = usize::from(width(sample, PAGE_MARGIN));
+    if columns.len() <= 4 * depth || rows.len() <= 4 * depth {
         return false;
     }
-    let light: Vec<Tone> =
-        (0..sample.tones.len()).filter(|&i| is_light(i)).map(|i| sample.tones[i]).collect();
-    let paper = common(&light).tone.unwrap_or(WHITE).saturating_sub(LIGHTER);
-    let mut paper_of = [[0usize; 2]; 2];
-    for y in top..=bottom {
-        for x in left..=right {
-            let inside = x >= left + depth && x + depth <= right && y >= top + depth && y + depth <= bottom;
-            let is_paper = sample.tone(x, y).is_some_and(|t| t >= paper);
-            paper_of[usize::from(inside)][usize::from(is_paper)] += 1;
-        }
-    }
-    let [margin, drawing] = paper_of.map(|[other, paper]| paper as f64 / (other + paper).max(1) as f64);
-    margin >= EMPTY && 1.0 - drawing >= DRAWN
+    let paper = sample.tones.within(light).common().tone.unwrap_or(WHITE).saturating_sub(LIGHTER);
+    let inside = [&columns, &rows].map(|range| range.start + depth..range.end - depth);
+    let drawing = paper_in(sample, inside, paper);
+    let [all, sheet] = paper_in(sample, [columns, rows], paper);
+    let share = |[all, paper]: [usize; 2]| paper as f64 / all.max(1) as f64;
+    let margin = [all - drawing[0], sheet - drawing[1]];
+    share(margin) >= EMPTY && 1.0 - share(drawing) >= DRAWN
 }
 
-/// The box around what is light: its left, top, right and bottom.
-fn extent(sample: &Sample, is_light: impl Fn(usize) -> bool) -> Option<[usize; 4]> {
-    let places = (0..sample.tones.len()).filter(|&i| is_light(i));
-    places.map(|i| (i % sample.width, i / sample.width)).fold(None, |found: Option<[usize; 4]>, (x, y)| {
-        let [left, top, right, bottom] = found.unwrap_or([x, y, x, y]);
-        Some([left.min(x), top.min(y), right.max(x), bottom.max(y)])
-    })
+/// How many pixels a box of these columns and rows has, and how many of them are at least as light as paper.
+fn paper_in(sample: &Sample, [columns, rows]: [Range<usize>; 2], paper: u8) -> [usize; 2] {
+    let is_paper = |code: &&Code| (paper.into()..CLEAR).contains(*code);
+    let lines = sample.rows().take(rows.end).skip(rows.start);
+    let papers = lines.map(|row| row[columns.clone()].iter().filter(is_paper).count());
+    [columns.len() * rows.len(), papers.sum()]
+}
+
+/// The columns and rows of the box around what is light.
+fn extent(sample: &Sample, light: &Range<Code>) -> Option<[Range<usize>; 2]> {
+    let is_light = |code: &Code| light.contains(code);
+    let (mut left, mut right) = (sample.width, 0);
+    let mut rows = 0..0;
+    for (y, row) in sample.rows().enumerate() {
+        // Only what lies beyond the box so far makes it wider.
+        let first = row[..left].iter().position(is_light);
+        let last = row[right..].iter().rposition(is_light);
+        if first.is_none() && last.is_none() && !row.iter().any(is_light) {
+            continue;
+        }
+        left = first.unwrap_or(left);
+        right = last.map_or(right, |x| right + x + 1);
+        rows = if rows.is_empty() { y..y + 1 } else { rows.start..y + 1 };
+    }
+    (!rows.is_empty()).then_some([left..right, rows])
 }

@@ -10,6 +10,8 @@
 //! areas is a map, whatever else is there. A map whose unknown space is painted white, however, is a drawing: it shows
 //! nothing else, and read as a map its surroundings would be one large room.
 
+mod areas;
+mod counts;
 mod facts;
 mod sample;
 

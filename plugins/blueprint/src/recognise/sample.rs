@@ -1,6 +1,9 @@
 //! A picture looked at in places: enough to tell what it is, and quick however large it is.
 
+use super::areas;
+use super::counts::Counts;
 use image::{DynamicImage, GenericImageView};
+use std::ops::Range;
 
 /// The most columns or rows of a sample.
 const SIDE: u32 = 1000;
@@ -11,17 +14,25 @@ const CHROMA: u8 = 32;
 /// Grey from 0 to 255; nothing where the picture is rather transparent than not.
 pub type Tone = Option<u8>;
 
-/// Pixels at even distances, row by row from the top.
+/// A tone as it is kept: the grey, or [`CLEAR`].
+pub type Code = u16;
+
+/// The code of what is transparent.
+pub const CLEAR: Code = 256;
+
+/// Pixels at even distances.
 #[derive(Debug)]
 pub struct Sample {
     /// Columns.
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// How light each pixel is.
-    pub tones: Vec<Tone>,
-    /// Which pixels are coloured.
-    pub coloured: Vec<bool>,
+    /// The tone of each pixel, row by row from the top.
+    pub codes: Vec<Code>,
+    /// All tones.
+    pub tones: Counts,
+    /// The tones of what is coloured.
+    pub coloured: Counts,
 }
 
 impl Sample {
@@ -30,22 +41,9 @@ impl Sample {
         let (columns, rows) = picture.dimensions();
         let step = columns.max(rows).div_ceil(SIDE).max(1);
         let (width, height) = (columns.div_ceil(step) as usize, rows.div_ceil(step) as usize);
-        let mut sample = Self { width, height, tones: Vec::new(), coloured: Vec::new() };
-        for y in 0..height as u32 {
-            for x in 0..width as u32 {
-                let [red, green, blue, alpha] = picture.get_pixel(x * step, y * step).0;
-                let (low, high) = (red.min(green).min(blue), red.max(green).max(blue));
-                let mean = (u16::from(red) + u16::from(green) + u16::from(blue)) / 3;
-                sample.tones.push((alpha >= 128).then_some(mean as u8));
-                sample.coloured.push(alpha >= 128 && high - low > CHROMA);
-            }
-        }
-        sample
-    }
-
-    /// The tone at a place inside.
-    pub fn tone(&self, x: usize, y: usize) -> Tone {
-        self.tones[y * self.width + x]
+        let looked_at = Seen::of(picture, step as usize);
+        let tones = Counts::of(&looked_at.codes);
+        Self { width, height, tones, codes: looked_at.codes, coloured: Counts::of(&looked_at.coloured) }
     }
 
     /// The longer side.
@@ -53,40 +51,143 @@ impl Sample {
         self.width.max(self.height)
     }
 
-    /// The share of pixels for which this holds.
-    pub fn share(&self, holds: impl Fn(usize) -> bool) -> f64 {
-        (0..self.tones.len()).filter(|&i| holds(i)).count() as f64 / self.tones.len().max(1) as f64
+    /// So many of its pixels as a share.
+    pub fn share(&self, count: usize) -> f64 {
+        count as f64 / self.codes.len().max(1) as f64
     }
 
-    /// Which pixels lie where this holds over at least `size` pixels in a row and in a column: in areas, not in strokes.
-    pub fn areas(&self, size: usize, holds: impl Fn(usize) -> bool) -> Vec<bool> {
-        let mut areas: Vec<bool> = (0..self.tones.len()).map(holds).collect();
-        let along: Vec<bool> = long_runs(&areas, size, self.height, |y, x| y * self.width + x, self.width);
-        let down = long_runs(&areas, size, self.width, |x, y| y * self.width + x, self.height);
-        areas.iter_mut().zip(along.iter().zip(&down)).for_each(|(area, (&a, &d))| *area = a && d);
-        areas
+    /// The rows.
+    pub fn rows(&self) -> impl Iterator<Item = &[Code]> {
+        self.codes.chunks_exact(self.width.max(1))
+    }
+
+    /// The pixels of a column.
+    pub fn column(&self, x: usize) -> impl DoubleEndedIterator<Item = &Code> + Clone {
+        self.codes.get(x..).unwrap_or_default().iter().step_by(self.width.max(1))
+    }
+
+    /// The share of pixels of these tones that lie in areas: in at least `size` of them in a row and in a column.
+    pub fn in_areas(&self, size: u8, tones: Range<Code>) -> f64 {
+        self.share(areas::covered(&self.codes, self.width, size, tones))
     }
 }
 
-/// What is set in runs of at least `size` along lines; `at` tells where a line's pixels are.
-fn long_runs(
-    set: &[bool],
-    size: usize,
-    lines: usize,
-    at: impl Fn(usize, usize) -> usize,
-    length: usize,
-) -> Vec<bool> {
-    let mut long = vec![false; set.len()];
-    for line in 0..lines {
-        let mut start = 0;
-        for end in 0..=length {
-            if end == length || !set[at(line, end)] {
-                if end - start >= size {
-                    (start..end).for_each(|i| long[at(line, i)] = true);
+/// The pixels looked at.
+#[derive(Default)]
+struct Seen {
+    codes: Vec<Code>,
+    /// The codes of those that are coloured.
+    coloured: Vec<Code>,
+}
+
+impl Seen {
+    fn of(picture: &DynamicImage, step: usize) -> Self {
+        let (columns, rows) = picture.dimensions();
+        let mut seen = Self::default();
+        match picture {
+            DynamicImage::ImageLuma8(p) => seen.add(p, columns, step, |&[grey]| grey.into(), |_| false),
+            DynamicImage::ImageLumaA8(p) => {
+                seen.add(p, columns, step, |&[grey, alpha]| veiled(grey.into(), alpha), |_| false);
+            }
+            DynamicImage::ImageRgb8(p) => {
+                let opaque = |&[r, g, b]: &[u8; 3]| [r, g, b, u8::MAX];
+                seen.add(p, columns, step, |p| code(&opaque(p)), |p| is_coloured(&opaque(p)));
+            }
+            DynamicImage::ImageRgba8(p) => seen.add(p, columns, step, code, is_coloured),
+            other => {
+                let rows = (0..rows).step_by(step);
+                let places = rows.flat_map(|y| (0..columns).step_by(step).map(move |x| (x, y)));
+                let pixels: Vec<[u8; 4]> = places.map(|(x, y)| other.get_pixel(x, y).0).collect();
+                seen.add(pixels.as_flattened(), pixels.len() as u32, 1, code, is_coloured);
+            }
+        }
+        seen
+    }
+
+    /// Looks at a picture of `N` bytes a pixel.
+    fn add<const N: usize>(
+        &mut self,
+        samples: &[u8],
+        columns: u32,
+        step: usize,
+        code: impl Fn(&[u8; N]) -> Code,
+        is_coloured: impl Fn(&[u8; N]) -> bool,
+    ) {
+        let (pixels, _) = samples.as_chunks::<N>();
+        let columns = columns.max(1) as usize;
+        for row in pixels.chunks_exact(columns).step_by(step) {
+            if step == 1 {
+                self.codes.extend(row.iter().map(&code));
+            } else {
+                self.codes.extend((0..columns.div_ceil(step)).map(|x| code(&row[x * step])));
+            }
+            // Pixels are mostly like the one before them.
+            let (mut last, mut coloured) = (&row[0], is_coloured(&row[0]));
+            for pixel in row.iter().step_by(step) {
+                if pixel != last {
+                    (last, coloured) = (pixel, is_coloured(pixel));
                 }
-                start = end + 1;
+                if coloured {
+                    self.coloured.push(code(pixel));
+                }
             }
         }
     }
-    long
+}
+
+fn code(&[red, green, blue, alpha]: &[u8; 4]) -> Code {
+    veiled((u16::from(red) + u16::from(green) + u16::from(blue)) / 3, alpha)
+}
+
+fn veiled(tone: Code, alpha: u8) -> Code {
+    if alpha < 128 { CLEAR } else { tone }
+}
+
+fn is_coloured(&[red, green, blue, alpha]: &[u8; 4]) -> bool {
+    let (low, high) = (red.min(green).min(blue), red.max(green).max(blue));
+    alpha >= 128 && high - low > CHROMA
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// The codes of all pixels looked at and of the coloured ones, by asking for one pixel after the other.
+    fn plain(picture: &DynamicImage, step: u32) -> [Vec<Code>; 2] {
+        let (columns, rows) = picture.dimensions();
+        let [mut codes, mut coloured] = [vec![], vec![]];
+        for (y, x) in (0..rows).flat_map(|y| (0..columns).map(move |x| (y, x))) {
+            if x % step != 0 || y % step != 0 {
+                continue;
+            }
+            let [r, g, b, alpha] = picture.get_pixel(x, y).0.map(u16::from);
+            let mean = (r + g + b) / 3;
+            codes.push(if alpha < 128 { CLEAR } else { mean });
+            let is_coloured = alpha >= 128 && r.max(g).max(b) - r.min(g).min(b) > u16::from(CHROMA);
+            coloured.extend(is_coloured.then_some(mean));
+        }
+        [codes, coloured]
+    }
+
+    proptest! {
+        #[test]
+        fn formats_show_the_same_pixels(
+            samples in proptest::collection::vec(any::<u8>(), 4 * 13 * 9),
+            step in 1..5_u32,
+        ) {
+            let rgba = image::RgbaImage::from_raw(13, 9, samples).unwrap();
+            let rgba = DynamicImage::from(rgba);
+            for picture in [
+                rgba.to_luma8().into(),
+                rgba.to_luma_alpha8().into(),
+                rgba.to_rgb8().into(),
+                rgba.to_rgba16().into(),
+                rgba,
+            ] {
+                let seen = Seen::of(&picture, step as usize);
+                prop_assert_eq!([seen.codes, seen.coloured], plain(&picture, step));
+            }
+        }
+    }
 }

@@ -3,7 +3,7 @@
 use super::backdrop;
 use super::decode::{self, Picture, is_picture};
 use super::wide;
-use planform_sdk::{Confidence, Probe, Source};
+use planform_sdk::{Confidence, Kept, Probe, Source};
 
 /// How many of the pixels lines may take at most.
 const MOST_LINES: f64 = 0.12;
@@ -43,16 +43,17 @@ pub fn probe(probe: &Probe<'_>) -> Confidence {
 
 /// How sure the adapter is by the whole picture. Plain maps are left to others, and so are drawings: those are on white
 /// paper, or have more greys or colours.
-pub fn look(source: &Source) -> Option<Confidence> {
+pub fn look(source: &Source, kept: &Kept) -> Option<Confidence> {
     let colourless = || Some(Confidence::because(40, "it shows no map with colours of its own"));
     if decode::is_grey(&source.bytes) {
         return colourless();
     }
-    let picture = Picture::decode(&source.bytes).ok()?;
+    let picture = match kept.get() {
+        Some(kept) => decode::coloured(kept),
+        None => decode::coloured(&decode::decode(&source.bytes).ok()?),
+    };
+    let Some(picture) = picture else { return colourless() };
     let coloured = picture.coloured();
-    if !coloured.contains(&true) {
-        return colourless();
-    }
     let backdrop = backdrop::find(&picture, &coloured, wide::radius(RESOLUTION));
     let back = backdrop.contains(&true);
     let lines = coloured.iter().zip(&backdrop).filter(|(c, b)| **c && !**b).count();

@@ -2,7 +2,7 @@
 
 use super::{Lines, PictureParams, look, probe, read};
 use image::{ImageFormat, Rgb, RgbImage};
-use planform_sdk::{Cell, ErrorKind, Probe, Source};
+use planform_sdk::{Cell, ErrorKind, Kept, Probe, Source};
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -136,7 +136,7 @@ fn what_is_given_is_not_looked_for() {
 fn claim(bytes: Vec<u8>) -> u8 {
     let source = Source { path: PathBuf::from("map.png"), bytes, byte_limit: Source::BYTE_LIMIT };
     assert!((50..60).contains(&probe(&Probe::of(&source)).percent));
-    look(&source).unwrap().percent
+    look(&source, &Kept::default()).unwrap().percent
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn damaged_and_empty_pictures_get_their_sentence() {
             let tiny = RgbImage::from_pixel(side, side, Rgb(colour));
             assert!(read(&png(&tiny), &PARAMS).is_ok(), "{side} {colour:?}");
             let source = Source { path: PathBuf::new(), bytes: png(&tiny), byte_limit: 1 << 20 };
-            assert!(look(&source).unwrap().percent < 50);
+            assert!(look(&source, &Kept::default()).unwrap().percent < 50);
         }
     }
 }
