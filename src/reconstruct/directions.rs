@@ -105,9 +105,12 @@ fn shift(start: f64, weights: &[f64], bandwidth: f64) -> f64 {
         let (mut sum, mut moment) = (0.0, 0.0);
         for bin in middle - reach..=middle + reach {
             let weight = weights[bin.rem_euclid(BINS as i64) as usize];
+            if weight <= 0.0 {
+                continue;
+            }
             let d = difference(bin as f64 * step, at);
             let x = (1.0 - d.cos()) / (1.0 - bandwidth.cos());
-            if weight > 0.0 && x < 1.0 {
+            if x < 1.0 {
                 let pull = weight * (1.0 - x) * (1.0 - x);
                 sum += pull;
                 moment += pull * d;

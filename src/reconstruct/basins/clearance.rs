@@ -6,7 +6,6 @@
 use super::super::runs::runs;
 use super::space::Space;
 use planform_sdk::parallel;
-use std::ops::Range;
 
 /// The clearance of the free space.
 pub struct Clearance {
@@ -53,14 +52,18 @@ impl Away {
             // At either end is a cell that is not free: what lies beyond is not nearer.
             let begin = run.from - 1;
             self.envelope.build(&self.squares[begin..run.to + 1]);
-            for (columns, part) in self.envelope.within(run.length() + 2) {
-                let cell = self.rows[begin + part.column] as usize * space.width + begin + part.column;
-                let here = begin + columns.start..begin + columns.end;
-                nearest[here.clone()].fill(cell as u32);
-                for (m, x) in metres[here].iter_mut().zip(columns) {
-                    let aside = x as f64 - part.x;
-                    *m = ((part.away + aside * aside).sqrt() * space.resolution) as f32;
+            let inside = nearest[run.from..run.to].iter_mut().zip(&mut metres[run.from..run.to]);
+            let mut parts = self.envelope.parts.iter().peekable();
+            let mut part = &Parabola::default();
+            let mut x = 0.0;
+            for (nearest, metres) in inside {
+                x += 1.0;
+                while let Some(next) = parts.next_if(|next| next.from < x) {
+                    part = next;
                 }
+                let aside = x - part.x;
+                *nearest = self.rows[begin + part.column] * space.width as u32 + (begin + part.column) as u32;
+                *metres = ((part.away + aside * aside).sqrt() * space.resolution) as f32;
             }
         }
     }
@@ -100,6 +103,7 @@ fn nearest_below(space: &Space) -> Vec<u32> {
 
 /// A parabola `away + (column - x)^2`. All are whole numbers, in floating point as that divides faster; they are exact
 /// up to 94 million columns.
+#[derive(Default)]
 struct Parabola {
     x: f64,
     away: f64,
@@ -129,15 +133,6 @@ impl Envelope {
             }
             self.parts.push(Parabola { x, away, from, column });
         }
-    }
-
-    /// The columns where each parabola is the lowest, without the first and the last of `count` columns.
-    fn within(&self, count: usize) -> impl Iterator<Item = (Range<usize>, &Parabola)> {
-        let first = move |part: &Parabola| ((part.from + 1.0) as usize).clamp(1, count - 1);
-        self.parts.iter().enumerate().filter_map(move |(i, part)| {
-            let columns = first(part)..self.parts.get(i + 1).map_or(count - 1, first);
-            (!columns.is_empty()).then_some((columns, part))
-        })
     }
 }
 

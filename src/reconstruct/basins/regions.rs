@@ -1,7 +1,7 @@
 //! The graph of regions: basins of the free space that grow together to rooms, and the boundaries between them.
 
 use super::super::runs::{label_runs, meetings};
-use super::hull::Hull;
+use super::hull::{Hull, Row};
 use super::passage::{Passage, View};
 use super::stated::Stated;
 use super::watershed::Basins;
@@ -265,7 +265,7 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
     let space = view.space;
     let count = basins.count as usize + 1;
     let (mut cells, mut most, mut total) = (vec![0usize; count], vec![0.0f32; count], vec![0.0f64; count]);
-    let mut border: Vec<Vec<(f64, f64)>> = vec![Vec::new(); count];
+    let mut rows: Vec<Vec<Row>> = vec![Vec::new(); count];
     for (row, labels) in basins.label.chunks_exact(space.width).enumerate() {
         for (run, l) in label_runs(labels).filter(|(_, l)| *l != 0) {
             let l = l as usize;
@@ -274,13 +274,15 @@ fn single_regions(view: &View<'_>, basins: &Basins) -> Vec<Region> {
                 most[l] = most[l].max(clear);
                 total[l] += f64::from(clear);
             }
-            // Of a run only the corners at its ends can be corners of a hull.
-            let (left, right, y) = (run.start as f64 - 0.5, run.end as f64 - 0.5, row as f64);
-            border[l].extend([(left, y - 0.5), (right, y - 0.5), (left, y + 0.5), (right, y + 0.5)]);
+            let run = Row { row: row as f64, from: run.start as f64 - 0.5, to: run.end as f64 - 0.5 };
+            match rows[l].last_mut() {
+                Some(last) if last.row == run.row => last.to = run.to,
+                _ => rows[l].push(run),
+            }
         }
     }
     let region = |l: usize| {
-        let hull = Hull::of(std::mem::take(&mut border[l]));
+        let hull = Hull::of_rows(&std::mem::take(&mut rows[l]));
         let hull_area = hull.area() * space.resolution * space.resolution;
         Region {
             area: space.area(cells[l]),

@@ -107,6 +107,7 @@ impl Relief<'_> {
 
 /// The step from a cell to its highest neighbour, if that is higher, else 0: the cells below it, beside it and above it
 /// with the cell in the middle. Steps back are large numbers that wrap around.
+#[inline]
 fn step(below: &[f32], here: &[f32], above: &[f32], width: u32) -> u32 {
     let back = |by: u32| 0u32.wrapping_sub(by);
     let around = [
