@@ -13,7 +13,8 @@ pub fn rooms(lesson: &Lesson<'_>, model: &Model, params: &Params) -> Vec<u32> {
     let view = lesson.cut.view();
     let mut regions = Regions::of_basins(&view, &lesson.cut.basins);
     merge::rooms(&mut regions, model, &params.merge);
-    lesson.cut.on_grid(&lesson.map.grid, &lesson.cut.labels(&regions, true))
+    let labels = lesson.cut.grown_labels(&regions);
+    lesson.cut.on_grid(&lesson.map.grid, |i| labels[i])
 }
 
 /// The measures of a model's rooms on a map.

@@ -125,7 +125,9 @@ impl Envelope {
             let x = column as f64;
             let mut from = -1.0;
             while let Some(last) = self.parts.last() {
-                from = (x * x + away - last.x * last.x - last.away) / (2.0 * (x - last.x));
+                let (aside, twice) = (x - last.x, x * x + away - last.x * last.x - last.away);
+                // Mostly they are side by side, and dividing takes long.
+                from = if aside == 1.0 { 0.5 * twice } else { twice / (2.0 * aside) };
                 if from > last.from {
                     break;
                 }

@@ -97,11 +97,11 @@ impl Run<'_> {
         self.observer.step(Step::Basins);
         let cut = Cut::of_shown(space, shown);
         self.draw(Step::Clutter, || {
-            let free: Vec<u32> = cut.space.free.iter().map(|&f| u32::from(f)).collect();
-            let free = map.free.with_bits(cut.on_grid(grid, &free).iter().map(|&f| f == 1).collect());
+            let free = cut.on_grid(grid, |i| u32::from(cut.space.free[i]));
+            let free = map.free.with_bits(free.iter().map(|&f| f == 1).collect());
             drawings::cleared(&map.obstacles, &map.obstacles.without(&free))
         });
-        self.draw(Step::Basins, || drawings::labels(&map.free, &cut.on_grid(grid, &cut.basins.label)));
+        self.draw(Step::Basins, || drawings::labels(&map.free, &cut.on_grid(grid, |i| cut.basins.label[i])));
         Ok(cut)
     }
 
@@ -110,7 +110,7 @@ impl Run<'_> {
         let view = cut.view();
         let mut regions = cut.regions(&view);
         merge::rooms(&mut regions, &Model::default(), &self.params.merge);
-        let mut label = cut.on_grid(grid, &cut.labels(&regions, false));
+        let mut label = cut.rooms(&regions, grid);
         pockets::fill(&mut label, &map.closed(), grid.resolution(), &self.params.furniture);
         let count = label.iter().max().map_or(0, |&m| m as usize);
         self.draw(Step::Rooms, || drawings::labels(&everywhere(&map.free), &label));

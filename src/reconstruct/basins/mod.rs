@@ -109,8 +109,21 @@ impl Cut {
         View::new(&self.space, &self.clearance)
     }
 
-    /// The room of every cell of the space, from 1; 0 is none. `grow`: also of cells that are not free.
-    pub fn labels(&self, regions: &Regions<'_>, grow: bool) -> Vec<u32> {
+    /// The room of every cell of the space, also of cells that are not free, from 1; 0 is none.
+    pub fn grown_labels(&self, regions: &Regions<'_>) -> Vec<u32> {
+        let numbers = self.numbers(regions);
+        let labels: Vec<u32> = self.basins.label.iter().map(|&b| numbers[b as usize]).collect();
+        self.space.grown(&labels, NEAR)
+    }
+
+    /// The room of every cell of the grid, from 1; 0 is none.
+    pub fn rooms(&self, regions: &Regions<'_>, grid: &Grid) -> Vec<u32> {
+        let numbers = self.numbers(regions);
+        self.on_grid(grid, |i| numbers[self.basins.label[i] as usize])
+    }
+
+    /// The room of every basin.
+    fn numbers(&self, regions: &Regions<'_>) -> Vec<u32> {
         let mut numbers = vec![0; self.basins.count as usize + 1];
         let rooms = regions.all().filter(|(_, r)| r.area >= SMALLEST);
         for ((_, region), number) in rooms.zip(1..) {
@@ -118,8 +131,7 @@ impl Cut {
                 numbers[basin as usize] = number;
             }
         }
-        let labels: Vec<u32> = self.basins.label.iter().map(|&b| numbers[b as usize]).collect();
-        if grow { self.space.grown(&labels, NEAR) } else { labels }
+        numbers
     }
 
     /// Values of the grid's cells brought to the cells of the space; 0 on its border.
@@ -136,17 +148,17 @@ impl Cut {
     }
 
     /// Values of the space's cells brought back to the cells of the grid.
-    pub fn on_grid(&self, grid: &Grid, values: &[u32]) -> Vec<u32> {
+    pub fn on_grid(&self, grid: &Grid, value: impl Fn(usize) -> u32) -> Vec<u32> {
         let (space, k) = (&self.space, self.space.fineness);
         let (width, height) = (grid.width() as usize, grid.height() as usize);
         let mut out = vec![0; width * height];
         // Every cell of the grid has the value of the cell in its middle.
         let rows = (1..space.height - 1).skip(k / 2).step_by(k);
         for (row, y) in rows.zip(space.corner.1..height) {
-            let values = &values[row * space.width + 1..(row + 1) * space.width - 1];
+            let cells = row * space.width + 1..(row + 1) * space.width - 1;
             let target = &mut out[y * width + space.corner.0..(y + 1) * width];
-            for (o, value) in target.iter_mut().zip(values.iter().skip(k / 2).step_by(k)) {
-                *o = *value;
+            for (o, cell) in target.iter_mut().zip(cells.skip(k / 2).step_by(k)) {
+                *o = value(cell);
             }
         }
         out

@@ -150,17 +150,14 @@ fn principal_angle(points: impl Iterator<Item = Point> + Clone) -> f64 {
 
 /// The indices of the points where a ring bends, rising.
 fn breaks(points: &[Point], tolerance: f64) -> Vec<usize> {
-    let far = |from: Point| {
-        let distance = |&i: &usize| points[i].distance(from);
-        (0..points.len()).max_by(|a, b| distance(a).total_cmp(&distance(b)))
-    };
+    let far = |from: Point| farthest(points.iter().map(|p| (p.x - from.x, p.y - from.y))).map(|f| f.0);
     let Some(first) = points.first().and_then(|&p| far(p)) else { return Vec::new() };
     let Some(second) = far(points[first]) else { return Vec::new() };
     let n = points.len();
     let mut found = vec![first, second];
     let mut open = vec![(first, (second + n - first) % n), (second, (first + n - second) % n)];
     while let Some((from, sides)) = open.pop() {
-        if let Some(k) = farthest(points, from, sides, tolerance) {
+        if let Some(k) = bend(points, from, sides, tolerance) {
             found.push((from + k) % n);
             open.extend([(from, k), ((from + k) % n, sides - k)]);
         }
@@ -171,18 +168,40 @@ fn breaks(points: &[Point], tolerance: f64) -> Vec<usize> {
 }
 
 /// How many sides after `from` lies the point that is farthest from the chord, if it is beyond the tolerance.
-fn farthest(points: &[Point], from: usize, sides: usize, tolerance: f64) -> Option<usize> {
-    let at = |i: usize| points[(from + i) % points.len()];
-    let (a, b) = (at(0), at(sides));
-    let distance = |i: usize| from_segment(at(i), a, b);
-    let (k, d) = (1..sides).map(|i| (i, distance(i))).max_by(|p, q| p.1.total_cmp(&q.1))?;
-    (d > tolerance).then_some(k)
+fn bend(points: &[Point], from: usize, sides: usize, tolerance: f64) -> Option<usize> {
+    let n = points.len();
+    let (a, b) = (points[from], points[(from + sides) % n]);
+    // The ring may go on at its begin.
+    let (begin, end) = (from + 1, from + sides.max(1));
+    let until = end.min(n);
+    let between = points[begin.min(until)..until].iter().chain(&points[begin.max(n) - n..end.max(n) - n]);
+    let (k, distance) = farthest(between.map(|&p| from_segment(p, a, b)))?;
+    (distance > tolerance).then_some(k + 1)
 }
 
-fn from_segment(p: Point, a: Point, b: Point) -> f64 {
+/// The longest of some vectors, of equal ones the last, and its length.
+fn farthest(vectors: impl Iterator<Item = (f64, f64)>) -> Option<(usize, f64)> {
+    let mut best: Option<(usize, f64)> = None;
+    // A root is drawn only of what may be as long.
+    let mut least = 0.0;
+    for (i, (x, y)) in vectors.enumerate() {
+        if x * x + y * y < least {
+            continue;
+        }
+        let length = x.hypot(y);
+        if best.is_none_or(|b| length >= b.1) {
+            best = Some((i, length));
+            least = length * length * (1.0 - 1e-9);
+        }
+    }
+    best
+}
+
+/// From the nearest point of a segment to a point.
+fn from_segment(p: Point, a: Point, b: Point) -> (f64, f64) {
     let (dx, dy) = (b.x - a.x, b.y - a.y);
     let square = dx * dx + dy * dy;
     let t = if square > 0.0 { ((p.x - a.x) * dx + (p.y - a.y) * dy) / square } else { 0.0 };
     let t = t.clamp(0.0, 1.0);
-    p.distance(Point::new(a.x + t * dx, a.y + t * dy))
+    (p.x - (a.x + t * dx), p.y - (a.y + t * dy))
 }
