@@ -39,6 +39,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/fitting.rs"
     "plugins/sdk/src/geometry.rs"
     "plugins/sdk/src/grid.rs"
+    "plugins/sdk/src/kept.rs"
     "plugins/sdk/src/layout.rs"
     "plugins/sdk/src/lib.rs"
     "plugins/sdk/src/options.rs"

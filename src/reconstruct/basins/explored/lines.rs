@@ -3,6 +3,7 @@
 use super::super::super::straight::{Labelled, floor};
 use super::Explored;
 use super::field::{Field, Frame, Shown, Side};
+use planform_sdk::parallel;
 
 /// A wall stands within this many cells of its floor.
 const BESIDE: f64 = 2.0;
@@ -15,6 +16,9 @@ const OWN: f64 = 0.5;
 
 /// Faces within this of each other lie on one line, metres; at least two cells.
 const ALONE: f64 = 0.15;
+
+/// So many cells at walls are looked at by a thread at a time.
+const CELLS: usize = 4096;
 
 /// Where a cell of a room ends at a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,8 +34,8 @@ struct Face {
 pub struct Lines {
     pub frame: Frame,
     resolution: f64,
-    /// For each side the faces that close rooms there, by rising position.
-    faces: [Vec<Face>; 4],
+    /// For each side, by its index, the faces that close rooms there, by rising position.
+    faces: Vec<Vec<Face>>,
     /// How well each room's walls gather on lines of the frame.
     sharpness: Vec<usize>,
 }
@@ -40,27 +44,13 @@ impl Lines {
     /// Finds the faces; `at_walls` are the cells of [`at_walls`].
     pub fn of(input: &Labelled<'_>, at_walls: &[usize], frame: Frame) -> Self {
         let field = Field { input, label: input.label, frame };
-        let mut faces: [Vec<Face>; 4] = Default::default();
-        for &cell in at_walls {
-            let place = field.middle(cell);
-            for side in Side::ALL {
-                let mut out = place;
-                out[side.axis] += side.sense() * input.resolution;
-                let wall = (0..BESIDE as usize).any(|_| {
-                    let shown = field.at(out);
-                    out[side.axis] += side.sense() * input.resolution;
-                    shown == Shown::Obstacle
-                });
-                if wall {
-                    let at = place[side.axis] + side.sense() * input.resolution / 2.0;
-                    let room = input.label[cell] as usize - 1;
-                    faces[side.index()].push(Face { at, aside: place[1 - side.axis], room });
-                }
-            }
-        }
-        for faces in &mut faces {
+        let parts: Vec<&[usize]> = at_walls.chunks(CELLS).collect();
+        let found = parallel::map(parts.len(), |i| faces_of(&field, parts[i]));
+        let faces = parallel::map(Side::ALL.len(), |side| {
+            let mut faces: Vec<Face> = found.iter().flat_map(|f| f[side].iter().copied()).collect();
             faces.sort_by(|a, b| a.at.total_cmp(&b.at).then(a.aside.total_cmp(&b.aside)));
-        }
+            faces
+        });
         let sharpness = sharpness(&faces, input);
         Self { frame, resolution: input.resolution, faces, sharpness }
     }
@@ -134,8 +124,32 @@ pub fn sharpest(lines: &[Lines], room: usize) -> Option<&Lines> {
     lines.iter().max_by_key(|l| l.sharpness.get(room).copied().unwrap_or(0))
 }
 
+/// The faces of some cells at walls, for each side by its index.
+fn faces_of(field: &Field<'_>, cells: &[usize]) -> [Vec<Face>; 4] {
+    let input = field.input;
+    let mut faces: [Vec<Face>; 4] = Default::default();
+    for &cell in cells {
+        let place = field.middle(cell);
+        for side in Side::ALL {
+            let mut out = place;
+            out[side.axis] += side.sense() * input.resolution;
+            let wall = (0..BESIDE as usize).any(|_| {
+                let shown = field.at(out);
+                out[side.axis] += side.sense() * input.resolution;
+                shown == Shown::Obstacle
+            });
+            if wall {
+                let at = place[side.axis] + side.sense() * input.resolution / 2.0;
+                let room = input.label[cell] as usize - 1;
+                faces[side.index()].push(Face { at, aside: place[1 - side.axis], room });
+            }
+        }
+    }
+    faces
+}
+
 /// For each room the sum of the squared numbers of faces on each line. The faces of each side are in order.
-fn sharpness(faces: &[Vec<Face>; 4], input: &Labelled<'_>) -> Vec<usize> {
+fn sharpness(faces: &[Vec<Face>], input: &Labelled<'_>) -> Vec<usize> {
     let width = ALONE.max(2.0 * input.resolution);
     let line = |f: &Face| floor(f.at / width);
     let (mut sharpness, mut counts) = (vec![0; input.rooms], vec![0usize; input.rooms]);
