@@ -55,7 +55,7 @@ pub struct ConvertArgs {
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
     /// Work on so many threads instead of one for each core; the result is the same
-    #[arg(long, value_name = "N", env = VARIABLE, hide_env_values = true)]
+    #[arg(long, value_name = "N", value_parser = threads, env = VARIABLE, hide_env_values = true)]
     threads: Option<NonZero<usize>>,
     /// Tell each step and how long it took, and the peak of memory
     #[arg(short, long, conflicts_with = "quiet")]
@@ -68,6 +68,10 @@ pub struct ConvertArgs {
     // The heading that it begins would hold whatever comes after it.
     #[command(flatten)]
     outside: OutsideArgs,
+}
+
+fn threads(text: &str) -> Result<NonZero<usize>, &'static str> {
+    text.parse().map_err(|_| "give a whole number, 1 or more")
 }
 
 impl ConvertArgs {
