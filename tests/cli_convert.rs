@@ -64,6 +64,20 @@ fn verbose_tells_the_steps() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn verbose_tells_the_peak_of_memory_after_the_steps() {
+    let w = Workshop::new();
+    let (_, err) = w.does("convert map.yaml -o a.svg -v");
+    let lines: Vec<_> = err.lines().rev().take(3).collect();
+    let [summary, memory, writing] = lines[..] else { panic!("{err}") };
+    assert!(summary.starts_with("map.yaml: ") && writing.starts_with("writing "), "{err}");
+    let told = memory.strip_prefix("peak memory ").and_then(|m| m.strip_suffix(" MiB"));
+    let mib: u64 = told.and_then(|m| m.trim().parse().ok()).unwrap_or_else(|| panic!("{err}"));
+    assert!((2..1000).contains(&mib), "{err}");
+    assert!(!w.does("convert map.yaml -o b.svg").1.contains("memory"));
+}
+
+#[test]
 fn a_pipe_sees_no_progress_line() {
     let (_, err) = Workshop::new().does("convert map.yaml -o a.svg");
     assert!(!err.contains(['\r', '\x1b']), "{err:?}");

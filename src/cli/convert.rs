@@ -4,6 +4,7 @@ use super::Failure;
 use super::caps::CapArgs;
 use super::failure::say;
 use super::input::{InputArgs, Opened};
+use super::memory::{MIB, most_held};
 use super::output::{self, Target};
 use super::outside::{OutsideArgs, tell_messages, tell_refusals};
 use super::params::MethodArgs;
@@ -54,9 +55,9 @@ pub struct ConvertArgs {
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
     /// Work on so many threads instead of one for each core; the result is the same
-    #[arg(long, value_name = "N", env = VARIABLE, hide_env_values = true)]
+    #[arg(long, value_name = "N", value_parser = threads, env = VARIABLE, hide_env_values = true)]
     threads: Option<NonZero<usize>>,
-    /// Tell each step and how long it took
+    /// Tell each step and how long it took, and the peak of memory
     #[arg(short, long, conflicts_with = "quiet")]
     verbose: bool,
     /// Tell nothing but errors
@@ -67,6 +68,10 @@ pub struct ConvertArgs {
     // The heading that it begins would hold whatever comes after it.
     #[command(flatten)]
     outside: OutsideArgs,
+}
+
+fn threads(text: &str) -> Result<NonZero<usize>, &'static str> {
+    text.parse().map_err(|_| "give a whole number, 1 or more")
 }
 
 impl ConvertArgs {
@@ -97,10 +102,20 @@ pub fn run(args: &ConvertArgs) -> Result<(), Failure> {
     folder.iter().try_for_each(|f| f.check(params.method.steps()))?;
     let run = Run { opened: &opened, scene: &scene, voice: args.voice() };
     let layout = run.finish(&params, folder.as_ref(), &targets, exporter_options, args.force)?;
+    if args.voice() == Voice::Verbose {
+        tell_memory();
+    }
     if args.voice() != Voice::Quiet {
         say(&summary(&opened.shown(), &layout, &targets));
     }
     Ok(())
+}
+
+/// Tells the most memory that was held, where the system knows.
+fn tell_memory() {
+    if let bytes @ 1.. = most_held() {
+        say(&format!("peak memory{:>5} MiB", bytes.div_ceil(MIB)));
+    }
 }
 
 fn read(

@@ -9,6 +9,7 @@ mod failure;
 mod input;
 mod inspect;
 mod man;
+mod memory;
 mod output;
 mod outside;
 mod params;

@@ -1,11 +1,11 @@
 //! The command line of `planform batch`.
 
 use super::attendant;
-use super::memory::{MIB, usual_budget};
 use super::pool::Bounds;
 use super::shard::Shard;
 use crate::cli::caps::CapArgs;
 use crate::cli::input::ReadingArgs;
+use crate::cli::memory::{MIB, usual_budget};
 use crate::cli::outside::OutsideArgs;
 use crate::cli::params::MethodArgs;
 use clap::{Args, value_parser};

@@ -1,8 +1,8 @@
 //! Attends to the process of one document: starts it, tells it what to do, and ends it when it takes too much.
 
 use super::interrupt::Interrupt;
-use super::memory::{MIB, held_by};
 use super::task::{Answer, Cause, Fault, Outcome, Task, Thumbnails, VERB};
+use crate::cli::memory::{MIB, held_by};
 use crate::host::isolated::{Group, ended, overhear, receive, says_out_of_memory, send};
 use planform_sdk::PluginError;
 use planform_sdk::parallel::VARIABLE;

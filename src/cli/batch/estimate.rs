@@ -1,6 +1,6 @@
 //! How much memory a document seems to need. A wrong guess costs a second attempt, and nothing else.
 
-use super::memory::MIB;
+use crate::cli::memory::MIB;
 use image::ImageReader;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -13,7 +13,6 @@ mod formats;
 mod interrupt;
 mod jobs;
 mod journal;
-mod memory;
 mod names;
 mod pass;
 mod pool;

@@ -5,7 +5,6 @@ use super::documents::{Listed, Trouble};
 use super::interrupt::Interrupt;
 use super::jobs::{self, Job, VERSION, Verdict};
 use super::journal::{Entry, Journal};
-use super::memory::MIB;
 use super::names::text_of;
 use super::pool::{Bounds, Finished, Pool, Waiting};
 use super::publish::{Places, Unpublished};
@@ -14,6 +13,7 @@ use super::retry::{self, Next};
 use super::task::{Cause, Converted, Fault, Outcome, Staged, Thumbnails};
 use super::tell::Teller;
 use crate::cli::Failure;
+use crate::cli::memory::MIB;
 use std::path::Path;
 use std::time::{Duration, Instant};
 

@@ -1,12 +1,12 @@
 //! The process that works on one document.
 
 use super::digest::{Digest, Seen, Stamp};
-use super::memory::{MIB, most_held};
 use super::task::{Answer, Cause, Converted, Fault, Found, Outcome, Staged, Task, Thumbnails};
 use super::thumbnail;
 use crate::cli::convert::found;
 use crate::cli::failure::{Failure, catch_bugs};
 use crate::cli::input::{choose, culprit};
+use crate::cli::memory::{MIB, most_held};
 use crate::cli::output::Target;
 use crate::host::isolated::{Limits, end_at_once, own_output, receive, send};
 use crate::host::{Choice, OutsideSettings, Registry, Setting, messages, run_options};
