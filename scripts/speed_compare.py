@@ -99,7 +99,7 @@ def steps(planform, path, rounds, out):
     """The steps of the quickest run on one thread, each with its seconds, and what remains of the whole."""
     whole, told = min(convert(planform, path, out, 1, "-v") for _ in range(rounds))
     found = [(name, float(seconds)) for name, seconds in re.findall(r"^(\w+) +(\d+\.\d+) s$", told, re.M)]
-    return [*found, ("start, and the files on the disk", whole - sum(seconds for _, seconds in found))]
+    return [*found, ("start, telling the format, saving the file", whole - sum(seconds for _, seconds in found))]
 
 
 def typical(compared):

@@ -25,8 +25,8 @@ pub fn report(bench: &Bench<'_>) -> String {
 }
 
 fn row(bench: &Bench<'_>, count: usize) -> Vec<String> {
-    // Four lines each, and two rooms to spare: where walls of several rooms meet, a line may be missed.
-    rooms(count / 4 + 2).save(bench.folder, RESOLUTION);
+    // Four lines each, and a tenth of the rooms to spare: where walls of several rooms meet, a line may be missed.
+    rooms(count / 4 + count / 40 + 2).save(bench.folder, RESOLUTION);
     let most = count.to_string();
     let arguments =
         ["-o", "out.layout.json", "--method", "paper", "--max-faces", "2000000", "--max-lines", &most];
