@@ -70,8 +70,8 @@ fn a_laser_log() {
 #[test]
 fn there_is_at_least_one_thread() {
     let w = Workshop::new();
-    for none in ["0", "-1", "many", "1.5"] {
-        let sentence = format!("'{none}' for '--threads <N>': give a whole number, 1 or more");
+    for none in ["0", "-1", "many", "1.5", "1025"] {
+        let sentence = format!("'{none}' for '--threads <N>': give a whole number from 1 to 1024");
         w.refuses(&format!("convert map.yaml -o a.svg --threads={none}"), 2, &[&sentence]);
     }
 }

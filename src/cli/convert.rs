@@ -54,8 +54,8 @@ pub struct ConvertArgs {
     /// Paint what each step found into this folder, as `01-clutter.png` and so on; the adapter's own steps come first
     #[arg(long, value_name = "DIR")]
     debug_dir: Option<PathBuf>,
-    /// Work on so many threads instead of one for each core; the result is the same
-    #[arg(long, value_name = "N", value_parser = threads, env = VARIABLE, hide_env_values = true)]
+    /// Work on N threads instead of one for each core; the result is the same
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true, env = VARIABLE, hide_env_values = true)]
     threads: Option<NonZero<usize>>,
     /// Tell each step and how long it took, and the peak of memory
     #[arg(short, long, conflicts_with = "quiet")]
@@ -70,8 +70,12 @@ pub struct ConvertArgs {
     outside: OutsideArgs,
 }
 
-fn threads(text: &str) -> Result<NonZero<usize>, &'static str> {
-    text.parse().map_err(|_| "give a whole number, 1 or more")
+/// More threads than this only take memory.
+const MOST_THREADS: usize = 1024;
+
+fn threads(text: &str) -> Result<NonZero<usize>, String> {
+    let count = text.parse::<NonZero<usize>>().ok().filter(|n| n.get() <= MOST_THREADS);
+    count.ok_or_else(|| format!("give a whole number from 1 to {MOST_THREADS}"))
 }
 
 impl ConvertArgs {
