@@ -72,10 +72,12 @@ impl Rows {
             at[row as usize] += 1;
         }
         let mut rows = Self { begin, entries: placed };
-        for row in 0..count {
-            rows.entries[rows.begin[row] as usize..rows.begin[row + 1] as usize].sort_by_key(|e| e.0);
-        }
+        (0..count).for_each(|row| rows.row_mut(row).sort_by_key(|e| e.0));
         rows
+    }
+
+    fn row_mut(&mut self, row: usize) -> &mut [(u32, f64)] {
+        &mut self.entries[self.begin[row] as usize..self.begin[row + 1] as usize]
     }
 }
 
@@ -100,9 +102,7 @@ pub fn local_affinity(
         }
     }
     let mut rows = Rows::of(count, &entries);
-    for row in 0..count {
-        normalise(&mut rows.entries[rows.begin[row] as usize..rows.begin[row + 1] as usize]);
-    }
+    (0..count).for_each(|row| normalise(rows.row_mut(row)));
     rows
 }
 

@@ -4,6 +4,7 @@
 //! Runs that touch are joined from row to row by union-find (Rosenfeld and Pfaltz, "Sequential Operations in Digital
 //! Picture Processing", 1966, on runs).
 
+use planform_sdk::runs::leading;
 use std::ops::Range;
 
 /// A stretch of cells in a row.
@@ -42,36 +43,19 @@ pub fn runs(bits: &[bool], width: usize, value: bool) -> impl Iterator<Item = Ru
     })
 }
 
-/// How many cells are looked at at once.
-const BLOCK: usize = 16;
-
 /// The first cell with this value.
 fn find(cells: &[bool], value: bool) -> Option<usize> {
-    let (blocks, rest) = cells.as_chunks::<BLOCK>();
-    // A sum instead of a search: it takes a block in a few instructions.
-    let none = |block: &[bool; BLOCK]| block.iter().map(|&c| u8::from(c != value)).sum::<u8>() == BLOCK as u8;
-    let skipped = blocks.iter().take_while(|b| none(b)).count();
-    let block = blocks.get(skipped).map_or(rest, |b| &b[..]);
-    Some(skipped * BLOCK + block.iter().position(|&c| c == value)?)
+    Some(leading(cells, |&c| c != value)).filter(|&at| at < cells.len())
 }
 
 /// The runs of equal labels in a row, as ranges of columns, with their labels.
 pub fn label_runs(labels: &[u32]) -> impl Iterator<Item = (Range<usize>, u32)> + '_ {
     let mut at = 0;
-    std::iter::from_fn(move || {
-        let (from, &label) = (at, labels.get(at)?);
-        at += while_equal(&labels[from..], label);
-        Some((from..at, label))
+    planform_sdk::runs::runs(labels).map(move |run| {
+        let from = at;
+        at += run.len();
+        (from..at, run[0])
     })
-}
-
-/// How many labels from the begin on are this one.
-fn while_equal(labels: &[u32], label: u32) -> usize {
-    let (blocks, rest) = labels.as_chunks::<BLOCK>();
-    let all = |block: &[u32; BLOCK]| block.iter().fold(0, |differing, l| differing | (l ^ label)) == 0;
-    let skipped = blocks.iter().take_while(|b| all(b)).count();
-    let block = blocks.get(skipped).map_or(rest, |b| &b[..]);
-    skipped * BLOCK + block.iter().position(|&l| l != label).unwrap_or(block.len())
 }
 
 /// Where a label meets another one to its right or above it, row by row.

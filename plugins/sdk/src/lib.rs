@@ -25,6 +25,7 @@ mod kept;
 mod layout;
 mod options;
 pub mod parallel;
+pub mod runs;
 mod scene;
 pub mod schema;
 mod watch;

@@ -3,9 +3,9 @@
 use crate::grey::Grey;
 use crate::options::{self, BARE_RESOLUTION, NAME, Unknown};
 use crate::picture::{Picture, Tone};
-use crate::runs::runs;
 use crate::unknown_grey::{Band, find};
 use image::ImageFormat;
+use planform_sdk::runs::runs;
 use planform_sdk::{Cell, ErrorKind, Grid, Kept, Options, PluginError, Pose, Provenance, Scene, Source};
 
 /// How far a pixel may be from a grey that the user gave.

@@ -16,7 +16,6 @@ mod options;
 mod picture;
 mod probe;
 mod ros_map;
-mod runs;
 mod scalar;
 mod stated;
 mod unknown_grey;

@@ -1,7 +1,7 @@
 //! Decodes pictures within limits and hands out their pixels.
 
-use crate::runs::runs;
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits, Primitive};
+use planform_sdk::runs::runs;
 use planform_sdk::{ErrorKind, Grid, GridError, PluginError};
 use std::io::Cursor;
 

@@ -10,8 +10,8 @@
 //! needs no such proof: its 205 is unknown.
 
 use crate::grey::Grey;
-use crate::runs::runs;
 use crate::wide;
+use planform_sdk::runs::runs;
 use std::ops::RangeInclusive;
 
 /// The greys that can be unknown: darker is a wall, lighter is free.

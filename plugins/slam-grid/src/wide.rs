@@ -1,8 +1,8 @@
 //! Whether pixels of a band of greys lie in areas that are wider than any wall.
 
 use crate::grey::Grey;
-use crate::runs::leading;
 use crate::unknown_grey::Band;
+use planform_sdk::runs::leading;
 use std::ops::Range;
 
 /// Whether at least `least` pixels lie in the middle of a square, cut off at the picture's border, that the band fills.

@@ -7,7 +7,7 @@ use super::model::Model;
 use super::regions::{Regions, pair};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 /// When two regions are one room.
@@ -142,17 +142,18 @@ impl Queue {
 /// Joins corridors that meet without a narrowing, the widest passage first: walls that face each other, crossings and
 /// bends cut a corridor by the evidence, but not in the eyes of people.
 fn join_corridors(regions: &mut Regions<'_>, params: &Merge) {
-    let mut waiting = BinaryHeap::new();
-    let wait = |regions: &mut Regions<'_>, waiting: &mut BinaryHeap<Wide>, pair| {
-        let width = relative_width(regions, pair, params.corridor);
-        waiting.extend(width.filter(|&w| w >= params.unnarrowed).map(|width| Wide { width, pair }));
+    // By the bits of the widths, which rise with positive numbers; of equal ones the first pair comes first.
+    let mut waiting: BinaryHeap<(u64, Reverse<(u32, u32)>)> = BinaryHeap::new();
+    let wait = |regions: &mut Regions<'_>, waiting: &mut BinaryHeap<_>, pair| {
+        let width = relative_width(regions, pair, params.corridor).filter(|&w| w >= params.unnarrowed);
+        waiting.extend(width.map(|w| (w.to_bits(), Reverse(pair))));
     };
     for pair in regions.pairs() {
         wait(regions, &mut waiting, pair);
     }
-    while let Some(Wide { width, pair: (a, b) }) = waiting.pop() {
+    while let Some((width, Reverse((a, b)))) = waiting.pop() {
         // Every merge changes the widths around: what was found before may be out of date.
-        if relative_width(regions, (a, b), params.corridor) != Some(width) {
+        if relative_width(regions, (a, b), params.corridor).map(f64::to_bits) != Some(width) {
             continue;
         }
         let Some(kept) = regions.merge(a, b) else { continue };
@@ -161,32 +162,6 @@ fn join_corridors(regions: &mut Regions<'_>, params: &Merge) {
         }
     }
 }
-
-/// A pair of corridors and how wide the passage between them is.
-struct Wide {
-    width: f64,
-    pair: (u32, u32),
-}
-
-impl Ord for Wide {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.width.total_cmp(&other.width).then_with(|| other.pair.cmp(&self.pair))
-    }
-}
-
-impl PartialOrd for Wide {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Wide {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Wide {}
 
 /// The clearance of the widest passage between two regions over half the mean width of the wider one; none if one of
 /// them is less elongated than asked for, or if a known door is between them.
@@ -223,11 +198,9 @@ fn join_through(regions: &mut Regions<'_>, params: &Merge) {
         let Some(way) = from.find_map(|r| way_through(&links, &is_corridor, r)) else { return };
         let mut kept = way[0];
         for &next in way[1..].iter().filter(|n| **n != way[0]) {
-            let [was, other] = [kept, next];
             kept = regions.merge(kept, next).unwrap_or(kept);
-            unlink(&mut links, if kept == was { other } else { was });
         }
-        unlink(&mut links, kept);
+        way.iter().for_each(|&region| unlink(&mut links, region));
         for other in regions.beside(kept) {
             link(&mut links, regions, pair(kept, other), params);
         }

@@ -133,16 +133,13 @@ impl Space {
     /// Transformations in Digital Images", 1986).
     pub fn grown(&self, label: &[u32], reach: f64) -> Vec<u32> {
         let limit = (reach / self.resolution * 5.0).floor().clamp(0.0, 60_000.0) as usize;
-        let mut grown = label.to_vec();
-        let mut distance = vec![u16::MAX; label.len()];
         let mut waiting: Vec<Vec<u32>> = vec![Vec::new(); limit + 8];
+        waiting[0] = self.rims(label);
+        let mut grown = label.to_vec();
+        let mut distance: Vec<u16> = label.iter().map(|&l| if l == 0 { u16::MAX } else { 0 }).collect();
         let costs =
             self.steps().map(|s| (s, if s.abs() == 1 || s.abs() == self.width as i64 { 5 } else { 7 }));
         let inside = |i: usize| !i.is_multiple_of(self.width) && !(i + 1).is_multiple_of(self.width);
-        for (d, l) in distance.iter_mut().zip(label) {
-            *d = if *l == 0 { u16::MAX } else { 0 };
-        }
-        waiting[0] = self.rims(label);
         for d in 0..=limit {
             for i in std::mem::take(&mut waiting[d]) {
                 if usize::from(distance[i as usize]) != d || !inside(i as usize) {
@@ -163,23 +160,9 @@ impl Space {
 
     /// The labelled cells with an unlabelled one among their eight neighbours, rising.
     fn rims(&self, label: &[u32]) -> Vec<u32> {
-        let width = self.width;
-        let mut rims = Vec::new();
-        // For the row below, this one and the one above: whether a cell or one beside it is unlabelled.
-        let mut bare = [vec![0u8; width], vec![0u8; width], vec![0u8; width]];
-        for row in 0..=self.height {
-            bare.rotate_left(1);
-            match label.get(row * width..(row + 1) * width) {
-                Some(cells) => mark_bare(cells, &mut bare[2]),
-                None => bare[2].fill(0),
-            }
-            let Some(row) = row.checked_sub(1) else { continue };
-            let near = bare[0].iter().zip(&bare[1]).zip(&bare[2]).map(|((a, b), c)| a | b | c);
-            let cells = label[row * width..].iter().zip(near).enumerate();
-            let rim = cells.filter(|(_, (l, near))| **l != 0 && *near != 0);
-            rims.extend(rim.map(|(column, _)| (row * width + column) as u32));
-        }
-        rims
+        let bare = self.mask(label.iter().map(|&l| l == 0).collect());
+        let rims = bare.grown(1).without(&bare);
+        rims.runs().flat_map(|run| run.cells(self.width)).map(|i| i as u32).collect()
     }
 
     /// A mask of the space's cells.
@@ -207,16 +190,6 @@ impl Space {
             self.free[run.cells(self.width)].fill(true);
         }
     }
-}
-
-/// Marks in a row which cells are unlabelled or beside one that is.
-fn mark_bare(cells: &[u32], bare: &mut [u8]) {
-    let last = cells.len() - 1;
-    for ((b, around), here) in bare[1..].iter_mut().zip(cells.windows(3)).zip(&cells[1..]) {
-        *b = u8::from(around[0] == 0 || *here == 0 || around[2] == 0);
-    }
-    bare[0] = u8::from(cells[..2.min(cells.len())].contains(&0));
-    bare[last] = u8::from(cells[last.saturating_sub(1)..].contains(&0));
 }
 
 /// The connected components of the cells that are not free.

@@ -3,7 +3,6 @@
 use super::carrier::Carrier;
 use super::facing::{Beyond, Face, Stretch};
 use super::{Labelled, Straight};
-use planform_sdk::Point;
 
 /// A stretch shorter than this is what its neighbour is, metres.
 const SHORTEST: f64 = 0.3;
@@ -120,7 +119,7 @@ impl Looks<'_> {
         let count = (self.params.max_wall / step) as usize;
         for i in 0..count {
             let out = (i as f64 + 0.5) * step;
-            let (c, r) = self.cell(self.line.point(along, -out));
+            let (c, r) = self.input.cell(self.line.point(along, -out));
             let room = self.input.room(self.input.label, c, r) as usize;
             if self.input.obstacles.get(c, r) && room == 0 {
                 if solid {
@@ -146,9 +145,5 @@ impl Looks<'_> {
             Some(_) => Beyond::Wall { thickness: unseen },
             None => Beyond::Unknown,
         }
-    }
-
-    fn cell(&self, p: Point) -> (i64, i64) {
-        self.input.cell(p)
     }
 }

@@ -7,6 +7,7 @@ use super::soft::Soft;
 use super::zncc::{self, Searched};
 use crate::found::SheetSymbol;
 use crate::mask::Mask;
+use crate::rows;
 use std::f64::consts::TAU;
 
 /// Metres per pixel of the search, and of the second look.
@@ -137,19 +138,8 @@ fn places(coarse: &Soft, looks: &[Look]) -> Vec<Place> {
     let across = |n: u32| n.div_ceil(TILE);
     let count = across(coarse.width) * across(coarse.height);
     let corner = |k: u32| [k % across(coarse.width) * TILE, k / across(coarse.width) * TILE];
-    let threads = planform_sdk::parallel::threads() as u32;
-    let share = &|first: u32| {
-        (first..count)
-            .step_by(threads as usize)
-            .map(|k| (k, in_tile(coarse, looks, corner(k), largest)))
-            .collect::<Vec<_>>()
-    };
-    let mut tiles: Vec<(u32, Vec<Place>)> = std::thread::scope(|scope| {
-        let all: Vec<_> = (0..threads).map(|first| scope.spawn(move || share(first))).collect();
-        all.into_iter().filter_map(|t| t.join().ok()).flatten().collect()
-    });
-    tiles.sort_by_key(|(k, _)| *k);
-    let mut found: Vec<Place> = tiles.into_iter().flat_map(|(_, places)| places).collect();
+    let tiles = rows::map(count as usize, |k| in_tile(coarse, looks, corner(k as u32), largest));
+    let mut found: Vec<Place> = tiles.into_iter().flatten().collect();
     found.sort_by(|a, b| b.score.total_cmp(&a.score));
     found.truncate(MOST_PLACES);
     found

@@ -44,6 +44,7 @@ const SOURCES: &[(&str, &str)] = embedded![
     "plugins/sdk/src/lib.rs"
     "plugins/sdk/src/options.rs"
     "plugins/sdk/src/parallel.rs"
+    "plugins/sdk/src/runs.rs"
     "plugins/sdk/src/scene.rs"
     "plugins/sdk/src/schema.rs"
     "plugins/sdk/src/watch.rs"

@@ -1,4 +1,5 @@
-//! Runs of equal pixels: maps are mostly made of long ones, and what becomes of a pixel need be asked once for each.
+//! Runs of equal items, such as the pixels or the labels of a row: maps are mostly made of long ones, and what becomes of
+//! an item need be asked once for each.
 
 /// How many items are looked at at once. Without a decision about each, so that the compiler can do it in few steps.
 const BLOCK: usize = 16;
